@@ -11,7 +11,7 @@ namespace contrecoup
  * Products mixed with air that is so dilute that the exponentials of the cold
  * curve vanish: what MieGrueneisen::jwl_in_air() is there, to the last bit, see
  * MieGrueneisen::is_dilute(). A line of subcells takes a tenth less time, as
- * nothing has to be asked of the lanes. Arguments are as in IdealGas.
+ * no selection by lane is necessary. Arguments are as in IdealGas.
  */
 class DiluteMixture
 {

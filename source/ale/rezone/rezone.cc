@@ -133,7 +133,7 @@ void Rezone::reinit(
   start_ = state.position;
   reference_ = state.position;
   due_ = state.time + interval_;
-  if (kind_ == RezoneKind::eulerian && has_interfaces())
+  if (kind_ == RezoneKind::back && has_interfaces())
     throw InputError("Rezone/Kind = back needs a single region, because a "
                      "cell holds one material; let Density and Pressure "
                      "depend on x, y, z, or use elastic");
@@ -374,7 +374,7 @@ bool Rezone::apply(AleState &state, const SlipWalls &walls)
   while (interval_ > 0. && due_ <= state.time * (1. + 1e-12))
     due_ += interval_;
   dealii::AlignedVector<double> position =
-    kind_ == RezoneKind::eulerian ? start_ : smoothed(state, walls);
+    kind_ == RezoneKind::back ? start_ : smoothed(state, walls);
   // Halve the displacement where a cell would invert.
   for (unsigned int i = 0; i < 6 && !is_valid(position); ++i)
     for (std::size_t k = 0; k < position.size(); ++k)

@@ -29,7 +29,7 @@ namespace
                    0.,
                    bounds::time,
                    "s",
-                   "Upper bound of the step size; 0: only that of the "
+                   "Upper bound of the step size; 0: only the bound of the "
                    "solver.");
     declare_integer(
       prm,

@@ -175,8 +175,9 @@ namespace
                    1e-9,
                    1e3,
                    "m",
-                   "From the centre along -x to the body's surface, or to its "
-                   "nearest place where that line misses it; above 0.");
+                   "Distance from the charge's centre along -x to the body's "
+                   "surface; to the nearest point of the body if that line "
+                   "misses it; above 0.");
     declare_double(prm,
                    "Height",
                    "1",
@@ -189,7 +190,7 @@ namespace
                    "",
                    "m",
                    "Centre of the charge x, y, z, instead of Distance and "
-                   "Height; empty: by those.");
+                   "Height; empty: from these two.");
   }
 
 

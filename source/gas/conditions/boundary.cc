@@ -61,15 +61,16 @@ void Boundary<dim>::declare_parameters(ParameterHandler &prm)
 {
   const Section section(prm, "Boundaries");
   for (const std::string &side : box_sides)
-    declare_selection(prm,
-                      side,
-                      "wall",
-                      kind_names,
-                      "Boundary condition at this side of a box: a rigid "
-                      "slip wall (also for planes of symmetry and the "
-                      "axis), a non-reflecting open side, an inflow of the "
-                      "state below, or the initial state or reference "
-                      "solution at that position and time.");
+    declare_selection(
+      prm,
+      side,
+      "wall",
+      kind_names,
+      "Boundary condition at this side of a box: a rigid "
+      "slip wall (also for planes of symmetry and the "
+      "axis), a non-reflecting open side, an inflow of the "
+      "state of subsection Inflow, or the initial state or reference "
+      "solution at that position and time.");
   declare_string(prm,
                  "By id",
                  "",

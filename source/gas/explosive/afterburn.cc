@@ -94,7 +94,7 @@ void Afterburn::declare_parameters(ParameterHandler &prm)
                     "none",
                     {"none", "constant", "miller"},
                     "Whether the products release more energy as they burn in "
-                    "air: never, at a constant rate, or by Miller's law.");
+                    "air: not at all, at a constant rate, or by Miller's law.");
   declare_double(prm,
                  "Energy",
                  "3.5e6",

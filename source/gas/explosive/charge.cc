@@ -105,8 +105,8 @@ void Charge<dim>::declare_parameters(ParameterHandler &prm)
                  "",
                  "m",
                  "Ignition points; none: the centre of the charge. From a "
-                 "point outside the detonation runs as if explosive filled "
-                 "the distance.");
+                 "point outside of the charge the detonation propagates as if "
+                 "explosive filled the distance.");
   declare_list(prm,
                "Ignition times",
                "",

@@ -31,9 +31,9 @@ namespace
                     0,
                     6,
                     "Discontinuous Galerkin: polynomial degree of the cells of "
-                    "a mesh with curved manifolds, such as hyper_ball [-]; 0: "
+                    "meshes with curved manifolds, such as hyper_ball. 0: "
                     "the largest that keeps uniform flow exactly (Degree + 1 "
-                    "in 2-D, Degree / 2 + 1, rounded down, in 3-D), 1: "
+                    "in 2-D, Degree / 2 + 1, rounded down, in 3-D); 1: "
                     "straight edges.");
     declare_bool(prm,
                  "Blending",
@@ -64,7 +64,8 @@ namespace
                  "true",
                  "Discontinuous Galerkin: whether nodes without positive "
                  "density or energy are scaled towards the leaf's mean; "
-                 "without it they stop the step.");
+                 "without it such a step fails and is repeated at half its "
+                 "size.");
   }
 
 
@@ -140,7 +141,10 @@ void Scheme::declare_parameters(ParameterHandler &prm)
                     "mc",
                     slope_limiter_names(),
                     "Limiter of the slopes, in finite volumes and in the "
-                    "subcells of troubled Galerkin leaves.");
+                    "subcells of troubled Galerkin leaves. minmod is the most "
+                    "diffusive, van albada and van leer are smooth, mc is "
+                    "sharper, superbee steepens contacts, none suits smooth "
+                    "flow only.");
   declare_selection(prm,
                     "Gradient limiter",
                     "none",
@@ -154,9 +158,10 @@ void Scheme::declare_parameters(ParameterHandler &prm)
                     "Flux",
                     "hllc shock stable",
                     riemann_flux_names(),
-                    "Riemann flux between subcells and between leaves; the "
-                    "shock stable one equals HLLC away from shocks and "
-                    "suppresses the carbuncle along them.");
+                    "Riemann flux between subcells and between leaves. hllc "
+                    "keeps contacts sharp; hllc shock stable equals it away "
+                    "from shocks and suppresses the carbuncle along them; hll "
+                    "and rusanov are robust and smear contacts.");
   declare_time_stepping(prm);
   declare_precision(prm);
 }

@@ -145,12 +145,12 @@ void SolidMaterials::declare_parameters(ParameterHandler &prm)
                     "Bulk law",
                     bulk_laws[0],
                     bulk_laws,
-                    "Pressure as a function of volume. of the tissue: the "
-                    "air in an aerated lung stiffens under "
-                    "compression (p v^1.4 = const), other tissues of the "
-                    "sets have constant moduli. linear: all have constant "
-                    "moduli; the lung then collapses under more than some "
-                    "hundred kilopascals.");
+                    "Pressure as a function of volume. With \"of the tissue\" "
+                    "the air in an aerated lung stiffens under "
+                    "compression (p v^1.4 = const), and other tissues of the "
+                    "sets have constant moduli. With \"linear\" all have "
+                    "constant moduli; the lung then collapses under more than "
+                    "some hundred kilopascals.");
   declare_string(prm,
                  "Cavitating tissues",
                  "",

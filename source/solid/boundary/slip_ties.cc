@@ -60,8 +60,9 @@ void SlipTies::declare_parameters(dealii::ParameterHandler &prm)
                  -1e12,
                  -1e-6,
                  "Pa",
-                 "The interface opens below this pressure, at this pressure, "
-                 "and closes again; the default keeps it closed.");
+                 "Below this pressure the interface opens, both sides bear "
+                 "this pressure, and it closes when they meet again; the "
+                 "default keeps it closed.");
 }
 
 

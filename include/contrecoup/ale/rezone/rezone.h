@@ -18,7 +18,7 @@ enum class RezoneKind
 {
   none,    ///< Lagrangian: nodes move with the matter
   elastic, ///< inner nodes follow the boundary by elastic smoothing
-  eulerian ///< Eulerian: nodes return to their initial positions
+  back     ///< Eulerian: nodes return to their initial positions
 };
 
 /// Rezoning: moves the mesh nodes at intervals and remaps the fields.

@@ -20,13 +20,13 @@ void forget_peak_memory();
 /// limits [byte]; 0 if unknown. Collective.
 double available_memory(MPI_Comm communicator);
 
-/// Asks the system to back memory that nobody has touched yet with pages of 2
-/// MB, where it can.
+/// Asks the system to back memory that is not yet written with pages of 2 MB,
+/// where it can.
 void prefer_large_pages(void *memory, std::size_t n_bytes);
 
-/// Gives @p vector @p size elements of any value in large pages: of pages of
-/// 4 kB a processor knows the places of some megabytes at a time, and kernels
-/// that read the neighbours of leaves jump through many more. New memory has
+/// Gives @p vector @p size elements of any value in large pages: the address
+/// buffer (TLB) of a processor covers only some megabytes of 4 kB pages, and
+/// kernels that read the neighbours of leaves access many more. New memory has
 /// room for an eighth more, since the system clears each page that it gives.
 template <typename Number>
 void resize_in_large_pages(dealii::AlignedVector<Number> &vector,

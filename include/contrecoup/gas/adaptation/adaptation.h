@@ -49,7 +49,7 @@ public:
     return adapt(field, none, time, quiet_leaves);
   }
 
-  /// Refines every leaf below the largest level for which @p wanted is true,
+  /// Refines every leaf below the largest level where @p wanted is true,
   /// without transferring the field. Returns whether any leaf was refined.
   bool refine_where(const std::function<bool(const unsigned int leaf)> &wanted);
 
@@ -96,9 +96,9 @@ public:
   }
 
   /// Counts a step, see AdaptationPace::add_step().
-  void add_step(const double buffer_share)
+  void add_step(const double travel)
   {
-    pace_.add_step(buffer_share);
+    pace_.add_step(travel);
   }
 
   /// Writes and reads the count of steps, for checkpoints.

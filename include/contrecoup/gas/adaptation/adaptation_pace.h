@@ -26,9 +26,9 @@ public:
   {}
 
   /// Counts a step.
-  /// @param travel distance that a front may have moved in the step, relative
-  /// to the distance it moves where the leaves that limit the step are as small
-  /// as fronts allow: Rates::front_rate over Rates::all of TimeStepper [-]
+  /// @param travel distance that a front may have moved in the step, as a
+  /// fraction of that in a step which leaves at fronts limit, not smaller ones
+  /// at a body: Rates::front_rate over Rates::all of TimeStepper [-]
   void add_step(const double travel)
   {
     ++n_steps_;

@@ -14,9 +14,9 @@ namespace contrecoup::gas
 /// Carries the data of leaves (gas and maps) from the octree before an
 /// adaptation to the octree after it, and serialises them for other ranks.
 ///
-/// deal.II's CellDataTransfer and data attached to cells go through bytes in
-/// memory twice, in double precision, for all leaves, changed or not: a third
-/// of the time of an adaptation. Leaves that stay with their rank are copied.
+/// deal.II's CellDataTransfer serialises all leaves twice, changed or not, in
+/// double precision, which took a third of the time of an adaptation. Here
+/// leaves that stay on their rank are copied.
 template <int dim>
 class LeafCarrier
 {

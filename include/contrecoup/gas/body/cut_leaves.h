@@ -42,8 +42,8 @@ public:
     return shapes_.fractions();
   }
 
-  /// Whether the batch has leaves that need the treatment: cut ones, and
-  /// those whose stencil reaches a cut.
+  /// Whether the batch has leaves for EmbeddedKernel: cut ones, and those whose
+  /// stencil reaches a cut one.
   bool is_cut(const unsigned int batch) const
   {
     return batch_kind_[batch] == BatchKind::cut;

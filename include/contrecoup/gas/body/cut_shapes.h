@@ -22,7 +22,7 @@ struct Subcell
 {
   unsigned int leaf = no_leaf;
   unsigned int point = 0;
-  /// Its whole volume in parts of that of a neighbourhood's first cell [-].
+  /// Its whole volume over that of a neighbourhood's first cell [-].
   double size = 1.;
 
   friend bool operator<(const Subcell &a, const Subcell &b)
@@ -33,7 +33,7 @@ struct Subcell
 
 
 /**
- * The shapes of the leaves that a rigid body cuts: the open part of each
+ * The shapes of the leaves that a rigid body cuts: the open fraction of each
  * subcell's volume and faces, from the signed distance at the subcells' corners
  * (embedded) or centres (staircase). The closed parts of a subcell's faces sum
  * to the area vector of the wall in it.
@@ -49,7 +49,7 @@ public:
 
   /// Measures all stored leaves; the arguments must outlive this object, and
   /// body and layout stay the same from call to call. Leaves that are known are
-  /// not measured again, since bodies may be costly to ask.
+  /// not measured again, since signed distances may be costly.
   void measure(const LeafMesh<dim> &mesh,
                const LeafLayout &layout,
                const RigidBody &body);
@@ -100,11 +100,11 @@ public:
     return shape_of_[leaf] >= 0;
   }
 
-  /// Open part of a face of a subcell.
+  /// Open fraction of a face of a subcell.
   double opening(const Subcell &cell, const unsigned int face) const;
 
   /// Differences of the openings of a subcell's low and high faces: the wall's
-  /// area vector, out of the gas, in parts of the faces' areas.
+  /// area vector, out of the gas, over the faces' areas.
   dealii::Tensor<1, dim> wall(const Subcell &cell) const
   {
     dealii::Tensor<1, dim> result;

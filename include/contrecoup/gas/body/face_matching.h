@@ -20,8 +20,8 @@ template <int dim>
 class FaceMatching
 {
 public:
-  /// A hanging face, and the part of it that a fine leaf has; no_leaf for the
-  /// coarse leaf.
+  /// A hanging face, and the quarter of it that a fine leaf has; no_leaf on the
+  /// coarse side.
   using Side = std::pair<unsigned int, unsigned int>;
 
   /// Keeps a reference.
@@ -67,13 +67,13 @@ public:
     return is_cut_face_[hanging_face] != 0;
   }
 
-  /// Open part of a fine subcell's face on a hanging face: of the fine leaf's
-  /// face point @p q in a part of it, which is stored here.
+  /// Open fraction of the fine subcell's face at face point @p q of the fine
+  /// leaf in quarter @p part, which must be stored on this rank.
   double hanging_opening(const HangingFace<dim> &face,
                          const unsigned int part,
                          const unsigned int q) const;
 
-  /// Coarse face point that holds the fine face point @p q of a part.
+  /// Coarse face point that holds the fine face point @p q of a quarter.
   unsigned int coarse_face_point(const unsigned int part,
                                  const unsigned int q) const;
 

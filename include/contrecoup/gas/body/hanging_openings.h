@@ -13,8 +13,8 @@
 namespace contrecoup::gas
 {
 /// What a rigid body leaves open of the subcells that the flux through a group
-/// of hanging faces depends on, leaves side by side in lanes. All by face
-/// point of the coarse or fine leaves, in the coarse numbering.
+/// of hanging faces depends on, leaves side by side in lanes. Arrays are
+/// indexed by face point of the coarse or fine leaves, in the coarse numbering.
 template <int dim, typename Real>
 struct HangingOpenings
 {
@@ -28,9 +28,9 @@ struct HangingOpenings
               const LeafLayout &layout,
               const CutLeaves<dim> &cut_leaves);
 
-  /// One in lanes of faces beside a cut leaf, else zero. The means over fine
-  /// subcells of other faces are those of groups without openings, to the last
-  /// bit: which faces share a group depends on the ranks.
+  /// One in lanes of faces beside a cut leaf, else zero. In other lanes the
+  /// means over fine subcells are computed as in groups without openings, since
+  /// which faces share a group depends on the ranks.
   Number is_cut;
   /// One or zero: whether gas of a coarse subcell touches that of the next one
   /// along each face coordinate, and of the one below.

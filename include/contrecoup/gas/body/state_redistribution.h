@@ -35,7 +35,7 @@ private:
   struct Member
   {
     std::size_t position; ///< of its first component
-    double weight;        ///< part of the neighbourhood's volume [-]
+    double weight;        ///< fraction of the neighbourhood's volume [-]
   };
   /// An owned cell and one of the neighbourhoods that it belongs to.
   struct Receiver

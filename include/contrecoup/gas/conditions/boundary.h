@@ -25,8 +25,10 @@ class Boundary
 public:
   enum class Kind
   {
-    wall,    ///< rigid slip wall; also a plane of symmetry or the axis
-    open,    ///< non-reflecting: the state outside equals that inside
+    wall, ///< rigid slip wall; also a plane of symmetry or the axis
+    /// Non-reflecting: outside() is the inner state. Finite volumes on boxes
+    /// change it where a shock leaves, Galerkin on boxes everywhere.
+    open,
     inflow,  ///< one prescribed state
     initial, ///< initial state at that position
     exact    ///< reference solution at that position and time
@@ -54,6 +56,10 @@ public:
 
   /**
    * Exterior state for the interior state @p inside.
+   *
+   * Walls of boxes and of Galerkin leaves do not come here: see
+   * BatchSweep::fill_images() and GalerkinFaces::beyond_boundary(). At walls of
+   * mapped leaves of finite volumes the result only bounds slopes.
    *
    * @param normal outward unit normal
    */

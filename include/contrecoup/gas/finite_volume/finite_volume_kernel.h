@@ -42,7 +42,7 @@ private:
              const unsigned int direction,
              const HangingData<dim, Real> &hanging);
   void write(const unsigned int batch, const BasicStage<Real> &stage);
-  /// Open part of the face between a point and the next.
+  /// One, as all faces are open; see StateAnalysis::analyse().
   static Number is_open(const unsigned int, const unsigned int)
   {
     return Number(1.);

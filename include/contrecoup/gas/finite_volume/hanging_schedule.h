@@ -32,9 +32,9 @@ public:
     next_ = 0;
   }
 
-  /// Calls compute(g, groups()[g]) for each active group whose first reader is
-  /// @p batch, or a batch that this stage has left out. To be called with
-  /// batches in ascending order.
+  /// Calls compute(g, groups()[g]) for each active group that @p batch or a
+  /// batch before it reads first, and that this stage has not visited yet. Call
+  /// with batches in ascending order.
   template <typename Compute>
   void compute_before(const unsigned int batch,
                       const QuietLeaves<dim> &quiet_leaves,

@@ -101,8 +101,9 @@ protected:
   std::array<dealii::AlignedVector<Number>, n_fine> fine_progress_;
   dealii::AlignedVector<Values> coarse_flux_;
   std::array<dealii::AlignedVector<Values>, n_fine> fine_flux_;
-  /// Of each coarse subcell's face, the sum of its fine faces' openings, or of
-  /// the volumes of the fine subcells beyond it.
+  /// Of each coarse subcell's face: the sum of the volumes of the fine subcells
+  /// beyond it (set by average_open_fine_side()), then that of its fine faces'
+  /// openings (set where fluxes are averaged).
   dealii::AlignedVector<Number> open_sum_;
   dealii::AlignedVector<Values> open_mean_; ///< of open_sum_
 

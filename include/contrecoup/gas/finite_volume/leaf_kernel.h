@@ -17,9 +17,10 @@
 namespace contrecoup::gas
 {
 /**
- * What the finite-volume kernels share on a batch of leaves: readers of the
- * neighbours, the state beyond the domain's boundary on boxes, programmed burn,
- * and which leaves hold a shock or let one out.
+ * Not a kernel itself, but what the finite-volume kernels share on a batch of
+ * leaves: readers of the neighbours, the state beyond the domain's boundary on
+ * boxes (walls and most open sides: BatchSweep), programmed burn, which leaves
+ * contain a shock, and which contain one at an open boundary.
  *
  * A line is a row of points of a leaf along one direction; it is numbered
  * like the points of the leaf face that it starts from.
@@ -108,8 +109,8 @@ public:
   {
     return neighbor_sensor_[face];
   }
-  /// One in lanes of leaves that a shock may be leaving through an open
-  /// boundary along a direction, else zero.
+  /// One in lanes of leaves with a shock at an open boundary along a
+  /// direction, else zero.
   const Number &leaving(const unsigned int direction) const
   {
     return leaving_[direction];

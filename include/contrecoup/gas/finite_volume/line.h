@@ -45,8 +45,8 @@ struct Line
   /// and the last face.
   std::array<Number, 3> shock;
 
-  /// One in lanes that a shock may be leaving through an open boundary, along
-  /// the line; null: none.
+  /// One in lanes of leaves with a shock at an open boundary along the line;
+  /// null: none.
   const Number *leaving = nullptr;
 
   /// At the first and last face: fluxes of hanging faces in the lanes that

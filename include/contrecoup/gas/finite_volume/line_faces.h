@@ -70,10 +70,10 @@ struct CutFaces
   static constexpr bool closes_slopes = true;
   static constexpr bool takes_own_pressure = true;
 
-  /// Open part of the first face, those of the next ones @p stride further.
+  /// Open fraction of the first face, those of the next ones @p stride further.
   const Number *opening;
   unsigned int stride;
-  /// Open part of the faces between the two subcells beyond each end.
+  /// Open fraction of the faces between the two subcells beyond each end.
   std::array<const Number *, 2> beyond;
   Number inverse_size;      ///< of a subcell along the line [1/m]
   Number has_unequal_areas; ///< one in lanes where face areas differ, or zero

@@ -13,8 +13,8 @@ namespace contrecoup::gas
  * One stage of the finite-volume scheme on one batch of leaves of any
  * shape: multilinear images of the cube, with neighbours in any
  * orientation. Primitive variables are reconstructed along the index lines
- * of the leaf, which are straight and evenly divided within it; each
- * subcell face sees a Riemann problem in its own frame.
+ * of the leaf, which are straight and evenly divided within it; the flux
+ * through a subcell face is that of a Riemann problem in the frame of the face.
  *
  * With Scheme::gradient_limiter, one factor for each subcell and variable
  * limits the differences of all directions together; faces between leaves

@@ -14,8 +14,8 @@ namespace contrecoup::gas
  * Fluxes and halo values of hanging faces for the finite-volume scheme on
  * leaves of any shape. A flux is computed once for each fine subcell face, in
  * its frame, and integrated over it; the coarse subcell gets the sum. Momentum
- * fluxes exclude the pressure of the subcell on that side. Both are signed
- * towards increasing index of that side.
+ * fluxes exclude the pressure of the subcell on that side. Fluxes of either
+ * side are positive towards increasing index of that side.
  */
 template <int dim, typename Gas, typename Real = double>
 class MappedHanging : private HangingTraces<dim, Gas, Real>

@@ -36,6 +36,8 @@ struct AnyScheme
 
   SlopeLimiter limiter;
   bool linear_reconstruction;
+  /// Whether the flux is computed as hllc_shock_stable with a shear factor,
+  /// which is one for plain HLLC; other fluxes come from other_flux().
   bool has_hllc;
 };
 

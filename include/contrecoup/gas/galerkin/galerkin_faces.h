@@ -23,11 +23,13 @@ namespace contrecoup::gas
  * Numerical fluxes between leaves for the discontinuous Galerkin scheme,
  * computed once for both sides; see GalerkinSpace for what is stored.
  *
- * On hanging faces and on faces of distorted leaves both traces are
- * interpolated to the quadrature points. Elsewhere, and beside troubled
- * leaves, the points are the face nodes; there the traces change, as far as
- * the leaves are troubled, to those of the subcells' finite volumes, which
- * share these fluxes (Hennemann, Rueda-Ramirez, Hindenlang and Gassner 2021).
+ * On hanging faces, and on all faces of a mesh with mapped leaves, both traces
+ * are interpolated to the quadrature points; on other faces the points are the
+ * face nodes. Beside troubled leaves, on faces that do not hang, there are
+ * fluxes at the face nodes in any case, and on mapped leaves both kinds are
+ * blended. At the nodes the traces change, as far as the leaves are troubled,
+ * to those of the subcells' finite volumes, which share these fluxes
+ * (Hennemann, Rueda-Ramirez, Hindenlang and Gassner 2021).
  */
 template <int dim, typename Gas, typename Real>
 class GalerkinFaces

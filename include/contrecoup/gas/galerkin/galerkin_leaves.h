@@ -52,8 +52,7 @@ public:
   /// Renews what depends on the mesh, after that of space and faces.
   void reinit();
 
-  /// Does @p stage on the leaves of a batch of cells, but those that
-  /// @p quiet_leaves passes over.
+  /// Does @p stage on the leaves of a batch of cells, except quiet leaves.
   void update(const unsigned int cell_batch,
               const BasicStage<Real> &stage,
               const QuietLeaves<dim> &quiet_leaves);

@@ -33,9 +33,9 @@ public:
     , n_points_(volume.size())
   {}
 
-  /// Scales where density or energy are not positive.
-  /// @param positivity false: nothing is scaled
-  /// @returns zero in lanes that stay unphysical, else one
+  /// Scales in lanes where density or energy are not positive.
+  /// @param positivity false: such lanes count as unphysical all the same
+  /// @returns zero in unphysical lanes, else one
   Number restore_positivity(const bool positivity)
   {
     const Number one(1.), zero(0.);
@@ -57,7 +57,8 @@ public:
     Number theta = (average[C::density] - least) /
                    std::max(average[C::density] - density, least);
     theta = select_less(density, least, std::min(theta, one), one);
-    scale(average, theta, true);
+    // Which leaves share a batch must not change what a leaf becomes.
+    scale(average, select_less(good, one, theta, one), true);
 
     const Number spare = energy_above_cold_curve<dim>(gas_, average);
     theta = one;
@@ -68,7 +69,8 @@ public:
       theta = std::min(
         theta, select_less(here, spare * margin, goal / (spare - here), one));
     }
-    scale(average, std::max(theta, zero), false);
+    theta = std::max(theta, zero);
+    scale(average, select_less(good, one, theta, one), false);
     return result;
   }
 

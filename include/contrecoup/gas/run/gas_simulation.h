@@ -42,6 +42,7 @@ public:
   }
   std::vector<FieldFile> write_fields(const std::string &folder,
                                       unsigned int index) override;
+  /// Also logs report() of the recorders.
   std::vector<NamedValue> errors() override;
   std::vector<NamedValue> results() override;
   std::vector<NamedValue> checks() override;

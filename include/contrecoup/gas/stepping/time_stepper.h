@@ -17,9 +17,9 @@
 namespace contrecoup::gas
 {
 /**
- * Strong-stability-preserving Runge-Kutta steps of a gas field, each undone
- * where it would leave the physical states, done again with bounded slopes,
- * and halved where that does not help.
+ * Strong-stability-preserving Runge-Kutta steps of a gas field. A step with an
+ * unphysical result is undone and repeated with bounded velocity slopes (finite
+ * volumes with linear reconstruction), then at half the size.
  */
 template <int dim>
 class TimeStepper
@@ -52,8 +52,8 @@ public:
   struct Rates
   {
     double all = 0.; ///< of all leaves
-    /// Each times LeafLevels::size_ratios(); over the rate of all leaves this
-    /// is how far a front travels in a step, for AdaptationPace.
+    /// Largest product of a leaf's rate and its LeafLevels::size_ratios();
+    /// divided by `all`, the travel of a front in a step, for AdaptationPace.
     double front_rate = 0.;
   };
 

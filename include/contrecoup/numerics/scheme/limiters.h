@@ -10,7 +10,7 @@
 
 namespace contrecoup
 {
-/// Slope limiters; after `none`, in the order of increasing compression.
+/// Slope limiters, in the order of slope_limiter_names().
 enum class SlopeLimiter
 {
   none,       ///< central difference, for smooth flow only
@@ -117,7 +117,8 @@ public:
 /**
  * Limited slope (derivative) at a point of a non-uniform grid, from the slopes
  * towards its neighbours: as on a uniform grid, but bounded such that face
- * values do not exceed the neighbours' values.
+ * values do not exceed the neighbours' values (SlopeLimiter::none: unbounded).
+ * A limiter that takes the central slope needs a case here, as `mc` has.
  */
 template <typename Number>
 inline DEAL_II_ALWAYS_INLINE Number limited_slope(const SlopeLimiter limiter,

@@ -13,10 +13,10 @@
 namespace contrecoup::solid
 {
 /**
- * The energy balance of a run and its gates, subsection "Energy audit": missing
- * energy, and energy stored in hourglass modes, the largest one over the run
- * against the largest internal energy over the run, for the whole body and by
- * tissue. Energies are seen when record() is called.
+ * The energy balance of a run and its limits, subsection "Energy audit":
+ * missing energy, and energy stored in hourglass modes, the largest one over
+ * the run against the largest internal energy over the run, for the whole body
+ * and by tissue. Peaks between calls of record() are missed.
  */
 class EnergyAudit
 {
@@ -38,7 +38,7 @@ public:
   std::vector<NamedValue> checks(const EnergyLedger &ledger,
                                  const std::vector<Tissue> &tissues) const;
 
-  /// Logs the balance, and warnings. @throws NumericsError if a gate is
+  /// Logs the balance, and warnings. @throws NumericsError if a limit is
   /// exceeded
   void judge(const EnergyLedger &ledger,
              const std::vector<Tissue> &tissues) const;
