@@ -26,8 +26,8 @@ public:
   enum class Kind
   {
     wall, ///< rigid slip wall; also a plane of symmetry or the axis
-    /// Non-reflecting: outside() is the inner state. Finite volumes on boxes
-    /// change it where a shock leaves, Galerkin on boxes everywhere.
+    /// Non-reflecting: outside() is the inner state. On boxes, finite volumes
+    /// change that state where a shock leaves, Galerkin at every open side.
     open,
     inflow,  ///< one prescribed state
     initial, ///< initial state at that position
