@@ -116,8 +116,8 @@ LeafShape<dim> cut_shape(const LeafBox<dim> &box,
     for (unsigned int v = 0; v < n_corners; ++v)
       values[v] = grid.values[first + corner[v]];
     // No smaller number, so that changes can be divided by it.
-    const double part = positive_part<n_corners>(values);
-    shape.fraction.push_back(part > 0. ? std::max(part, 1e-14) : 0.);
+    const double fraction = positive_fraction<n_corners>(values);
+    shape.fraction.push_back(fraction > 0. ? std::max(fraction, 1e-14) : 0.);
   }
   for (unsigned int d = 0; d < dim; ++d)
     for_each_face(
@@ -129,14 +129,14 @@ LeafShape<dim> cut_shape(const LeafBox<dim> &box,
         for (unsigned int v = 0; v < n_corners / 2; ++v)
           values[v] =
             grid.values[first + corner[face_corner<dim>(2 * d, v % 2, v / 2)]];
-        double part = positive_part<n_corners / 2>(values);
+        double fraction = positive_fraction<n_corners / 2>(values);
         if (d == 1 && is_axisymmetric)
-          part *= open_radius(box.origin[0],
-                              box.extents[0] / layout.n,
-                              place[0],
-                              part,
-                              values[0] > 0.);
-        shape.opening[d].push_back(part);
+          fraction *= open_radius(box.origin[0],
+                                  box.extents[0] / layout.n,
+                                  place[0],
+                                  fraction,
+                                  values[0] > 0.);
+        shape.opening[d].push_back(fraction);
       });
   return shape;
 }

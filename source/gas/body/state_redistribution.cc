@@ -40,9 +40,9 @@ void StateRedistribution<dim>::reinit(const CutLeaves<dim> &cut_leaves,
     unsigned int place = 0;
     for (const auto &cell : neighborhood.cells)
     {
-      const double part = 1. / cut_leaves.n_memberships(cell);
+      const double fraction = 1. / cut_leaves.n_memberships(cell);
       const double share =
-        cut_leaves.fractions()(cell.leaf, cell.point) * cell.size * part;
+        cut_leaves.fractions()(cell.leaf, cell.point) * cell.size * fraction;
       const std::size_t position =
         layout.offset(cell.leaf) + layout.value(0, cell.point);
       volume += share;
@@ -52,7 +52,7 @@ void StateRedistribution<dim>::reinit(const CutLeaves<dim> &cut_leaves,
           {position,
            place_in_order(neighborhood, place, layout),
            static_cast<unsigned int>(first_member_.size() - 1),
-           part});
+           fraction});
       ++place;
     }
     for (auto i = first_member_.back(); i < members_.size(); ++i)
@@ -96,7 +96,7 @@ void StateRedistribution<dim>::apply(Real *state) const
       double change = 0.;
       for (std::size_t i = r; i < end; ++i)
         change += means[receivers_[i].neighborhood * n_components_ + c] - value;
-      value += change * receivers_[r].part;
+      value += change * receivers_[r].fraction;
     }
     r = end;
   }

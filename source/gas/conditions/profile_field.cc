@@ -253,7 +253,7 @@ std::optional<double>
 ProfileField<dim>::fraction_within(const dealii::Point<dim> &lower,
                                    const dealii::Point<dim> &upper) const
 {
-  double part = 1.;
+  double fraction = 1.;
   const double radius = profile_->end(0);
   for (unsigned int i = 0; i < profile_->n_directions(); ++i)
     if (profile_->is_cut(i, true) || (i == 0 && profile_->is_cut(i, false)))
@@ -271,7 +271,7 @@ ProfileField<dim>::fraction_within(const dealii::Point<dim> &lower,
     if (std::min(below, above) < -tolerance || std::max(below, above) < radius)
       return {};
     if (std::min(below, above) <= tolerance)
-      part *= 0.5;
+      fraction *= 0.5;
     else if (std::min(below, above) < radius)
       return {};
   }
@@ -286,19 +286,19 @@ ProfileField<dim>::fraction_within(const dealii::Point<dim> &lower,
     if (!closed_below || high < -tolerance)
       return {};
   }
-  return part;
+  return fraction;
 }
 
 
 template <int dim>
 std::array<double, 3>
-ProfileField<dim>::totals(const double part,
+ProfileField<dim>::totals(const double fraction,
                           const dealii::Point<dim> &lower,
                           const dealii::Point<dim> &upper) const
 {
   const auto &sums = profile_->totals();
   const unsigned int n = profile_->n_directions();
-  double factor = part;
+  double factor = fraction;
   if (profile_->data().geometry == Geometry::cylindrical && dim == 3)
     factor *= upper[dim - 1] - lower[dim - 1];
   return {{factor * sums[0], factor * sums[n + 1], factor * sums[n + 2]}};

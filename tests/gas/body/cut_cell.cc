@@ -26,14 +26,18 @@ corners(const double a, const double b, const double c, const double d)
 
 TEST(CutCell, SegmentsAndSquares)
 {
-  EXPECT_DOUBLE_EQ(positive_part<2>({{3., -1.}}), 0.75);
-  EXPECT_EQ(positive_part<2>({{0., -1.}}), 0.);
-  EXPECT_EQ(positive_part<2>({{1., 0.}}), 1.);
+  EXPECT_DOUBLE_EQ(positive_fraction<2>({{3., -1.}}), 0.75);
+  EXPECT_EQ(positive_fraction<2>({{0., -1.}}), 0.);
+  EXPECT_EQ(positive_fraction<2>({{1., 0.}}), 1.);
   // Triangles of both orientations, a trapezium, and its complement.
-  EXPECT_NEAR((positive_part<4>(corners<4>(0.5, -1., -1., 0.))), 0.125, 1e-15);
-  EXPECT_NEAR((positive_part<4>(corners<4>(-0.5, 1., -1., 0.))), 0.125, 1e-15);
-  EXPECT_NEAR((positive_part<4>(corners<4>(0.25, -1., 0.5, 0.))), 0.5, 1e-15);
-  EXPECT_NEAR((positive_part<4>(corners<4>(-0.3, 1., 0.2, 0.))), 0.8, 1e-15);
+  EXPECT_NEAR(
+    (positive_fraction<4>(corners<4>(0.5, -1., -1., 0.))), 0.125, 1e-15);
+  EXPECT_NEAR(
+    (positive_fraction<4>(corners<4>(-0.5, 1., -1., 0.))), 0.125, 1e-15);
+  EXPECT_NEAR(
+    (positive_fraction<4>(corners<4>(0.25, -1., 0.5, 0.))), 0.5, 1e-15);
+  EXPECT_NEAR(
+    (positive_fraction<4>(corners<4>(-0.3, 1., 0.2, 0.))), 0.8, 1e-15);
 }
 
 
@@ -47,10 +51,11 @@ TEST(CutCell, CubesCutByPlanes)
   for (double s = 0.05; s < 3.; s += 0.1)
   {
     EXPECT_NEAR(
-      (positive_part<8>(corners<8>(s, -1., -1., -1.))), exact(s), 1e-14);
+      (positive_fraction<8>(corners<8>(s, -1., -1., -1.))), exact(s), 1e-14);
     // The same mirrored in x, which the simplices are not.
-    EXPECT_NEAR(
-      (positive_part<8>(corners<8>(s - 1., 1., -1., -1.))), exact(s), 1e-14);
+    EXPECT_NEAR((positive_fraction<8>(corners<8>(s - 1., 1., -1., -1.))),
+                exact(s),
+                1e-14);
   }
 }
 
@@ -58,10 +63,10 @@ TEST(CutCell, CubesCutByPlanes)
 TEST(CutCell, SmallAndEmptyParts)
 {
   const double tiny = 1e-5;
-  EXPECT_NEAR((positive_part<8>(corners<8>(tiny, -1., -1., -1.))),
+  EXPECT_NEAR((positive_fraction<8>(corners<8>(tiny, -1., -1., -1.))),
               tiny * tiny * tiny / 6.,
               1e-25);
-  EXPECT_EQ((positive_part<8>(corners<8>(0., -1., -1., -1.))), 0.);
-  EXPECT_EQ((positive_part<8>(corners<8>(0.1, 1., 1., 1.))), 1.);
-  EXPECT_NEAR((positive_part<8>(corners<8>(0., 1., 1., 1.))), 1., 1e-15);
+  EXPECT_EQ((positive_fraction<8>(corners<8>(0., -1., -1., -1.))), 0.);
+  EXPECT_EQ((positive_fraction<8>(corners<8>(0.1, 1., 1., 1.))), 1.);
+  EXPECT_NEAR((positive_fraction<8>(corners<8>(0., 1., 1., 1.))), 1., 1e-15);
 }

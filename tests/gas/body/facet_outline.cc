@@ -38,7 +38,7 @@ Tensor<1, 3> wall_of(const std::array<double, 8> &values)
       std::array<double, 4> face;
       for (unsigned int v = 0; v < 4; ++v)
         face[v] = values[(side << d) + (v % 2 << a) + (v / 2 << b)];
-      wall[d] += (side == 0 ? -1. : 1.) * positive_part<4>(face);
+      wall[d] += (side == 0 ? -1. : 1.) * positive_fraction<4>(face);
     }
   return wall;
 }

@@ -21,10 +21,10 @@ namespace contrecoup::gas
  */
 
 /// Outline of the surface between the corners with positive @p distances, which
-/// are in the gas, and the others, as positive_part() places it: its corners
-/// lie on edges and on the diagonals of faces. The area vector is exactly that
-/// of LeafShape's openings, and subcells that share a face share the points on
-/// it.
+/// are in the gas, and the others, as positive_fraction() places it: its
+/// corners lie on edges and on the diagonals of faces. The area vector is
+/// exactly that of LeafShape's openings, and subcells that share a face share
+/// the points on it.
 template <int dim>
 std::vector<dealii::Point<dim>>
 cut_outline(const std::array<double, (1U << dim)> &distances);

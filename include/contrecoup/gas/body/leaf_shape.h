@@ -12,7 +12,8 @@
 
 namespace contrecoup::gas
 {
-/// What a rigid body leaves open of the subcells of a leaf; parts from 0 to 1
+/// What a rigid body leaves open of the subcells of a leaf; fractions from 0 to
+/// 1
 /// [-].
 template <int dim>
 struct LeafShape
@@ -29,10 +30,10 @@ struct LeafShape
 
 /**
  * Subcells and faces cut by the surface, from the signed distance at the
- * subcells' corners; see positive_part().
+ * subcells' corners; see positive_fraction().
  *
  * @param is_axisymmetric whether the leaf is turned about x = 0: faces across
- * that axis are then open by the part of their ring. All else is as in the
+ * that axis are then open by the fraction of their ring. All else is as in the
  * plane; with the radius in a cell's middle its volume and the wall in it
  * differ from the exact ones by less than the cell's edge over the radius.
  */

@@ -43,7 +43,7 @@ private:
     std::size_t position;
     unsigned int order; ///< place among the cell's neighbourhoods
     unsigned int neighborhood;
-    double part; ///< one over the number of its neighbourhoods [-]
+    double fraction; ///< one over the number of its neighbourhoods [-]
 
     friend bool operator<(const Receiver &a, const Receiver &b)
     {

@@ -110,8 +110,8 @@ public:
                                         const dealii::Point<dim> &upper) const;
 
   /// Volume integrals of the excess of density, energy and products over the
-  /// fraction @p part of the profile [kg, J, kg].
-  std::array<double, 3> totals(const double part,
+  /// @p fraction of the profile [kg, J, kg].
+  std::array<double, 3> totals(const double fraction,
                                const dealii::Point<dim> &lower,
                                const dealii::Point<dim> &upper) const;
 

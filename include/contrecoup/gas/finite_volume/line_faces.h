@@ -87,9 +87,9 @@ struct CutFaces
   /// One where the face between subcells i - 1 and i is open, else zero.
   DEAL_II_ALWAYS_INLINE Number is_open(const int i, const int n) const
   {
-    const Number &part =
+    const Number &fraction =
       i < 0 ? *beyond[0] : (i > n ? *beyond[1] : opening[i * stride]);
-    return select_less(Number(0.), part, Number(1.), Number(0.));
+    return select_less(Number(0.), fraction, Number(1.), Number(0.));
   }
 
   DEAL_II_ALWAYS_INLINE Number rate(const unsigned int i,

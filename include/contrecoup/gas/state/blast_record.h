@@ -57,9 +57,9 @@ struct BlastRecord
     const Number middle = time - Number(0.5) * step;
     const bool is_higher = overpressure > peak && overpressure > smallest;
     const bool is_rising = arrival <= zero;
-    const Number part =
+    const Number fraction =
       (overpressure - peak) / (is_higher ? overpressure : Number(1.));
-    const Number moved = arrival - (middle + arrival) * part;
+    const Number moved = arrival - (middle + arrival) * fraction;
     arrival = is_higher && is_rising ? moved : arrival;
     peak = is_higher ? overpressure : peak;
     const bool is_over = overpressure < Number(0.9) * peak;
