@@ -9,7 +9,8 @@ namespace contrecoup::gas
 {
 namespace
 {
-  /// Relative distance from the positive value to where the function is zero.
+  /// Relative distance [-] from the corner with the positive value to the zero
+  /// of the function on the edge to another corner.
   double zero_crossing(const double positive, const double other)
   {
     return positive / (positive - other);
@@ -42,10 +43,10 @@ namespace
       return 1. - corner;
     }
     // Two corners of a tetrahedron: a wedge of three tetrahedra.
-    const double ac = zero_crossing(v[0], v[2]),
-                 ad = zero_crossing(v[0], v[n - 1]);
-    const double bc = zero_crossing(v[1], v[2]),
-                 bd = zero_crossing(v[1], v[n - 1]);
+    const double ac = zero_crossing(v[0], v[2]);
+    const double ad = zero_crossing(v[0], v[n - 1]);
+    const double bc = zero_crossing(v[1], v[2]);
+    const double bd = zero_crossing(v[1], v[n - 1]);
     return bc * bd + ac * (1. - bc) * bd + ac * ad * (1. - bd);
   }
 } // namespace

@@ -8,11 +8,13 @@
 namespace contrecoup::gas
 {
 /**
- * The fraction of the unit segment (n = 2 corners), square (4) or cube (8)
- * where a function is positive that has these values at the corners, in
- * deal.II's order, and is linear in the simplices between the lowest and the
- * highest corner (Kuhn 1960). Exact for linear functions; cells that share a
- * face see the same on it, so that the cut surface is closed.
+ * Fraction of the unit segment (n = 2 corners), square (4) or cube (8) in
+ * which a function is positive [-].
+ *
+ * The function has the values @p corners, in deal.II's order, and is linear in
+ * each simplex from the lowest to the highest corner (Kuhn 1960). The fraction
+ * is exact for linear functions. Cells that share a face agree on the fraction
+ * of that face, so that the cut surface is closed.
  */
 template <unsigned int n>
 double positive_fraction(const std::array<double, n> &corners);

@@ -12,9 +12,8 @@
 
 namespace contrecoup::gas
 {
-/// What a rigid body leaves open of the subcells of a leaf; fractions from 0 to
-/// 1
-/// [-].
+/// What a rigid body leaves open of the subcells of a leaf and of their faces,
+/// as fractions from 0 to 1 [-].
 template <int dim>
 struct LeafShape
 {
