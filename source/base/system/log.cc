@@ -4,9 +4,11 @@
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/log.h>
 #include <contrecoup/base/system/log_words.h>
+#include <contrecoup/base/system/text.h>
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <iostream>
 #include <utility>
 
@@ -46,12 +48,14 @@ void Log::close()
   clear_status();
   files_.resize(n_kept_);
   held_.clear();
+  warnings_.clear();
 }
 
 void Log::begin_part()
 {
   n_kept_ = files_.size();
   held_.clear();
+  warnings_.clear();
 }
 
 void Log::end_part()
@@ -60,13 +64,41 @@ void Log::end_part()
   n_kept_ = 0;
 }
 
-void Log::line(const std::string &line)
+void Log::set_verbose(const bool verbose)
+{
+  verbose_ = verbose;
+}
+
+void Log::line(const std::string &text)
+{
+  static const std::string mark = "WARNING: ";
+  const std::string words = trim(text);
+  const bool is_warning = words.compare(0, mark.size(), mark) == 0;
+  if (is_warning && active_)
+  {
+    const std::string warning = LogWords::of(words).substr(mark.size());
+    if (std::find(warnings_.begin(), warnings_.end(), warning) ==
+        warnings_.end())
+      warnings_.push_back(warning);
+  }
+  write(text, verbose_ || is_warning);
+}
+
+void Log::show(const std::string &text)
+{
+  write(text, true);
+}
+
+void Log::write(const std::string &line, const bool on_screen)
 {
   if (!active_)
     return;
   const std::string text = LogWords::of(line);
-  clear_status();
-  std::cout << text << std::endl;
+  if (on_screen)
+  {
+    clear_status();
+    std::cout << text << std::endl;
+  }
   for (std::ofstream &file : files_)
     file << text << std::endl;
   if (files_.size() == n_kept_)
@@ -103,5 +135,10 @@ void Log::clear_status()
 void log_line(const std::string &text)
 {
   Log::instance().line(text);
+}
+
+void show_line(const std::string &text)
+{
+  Log::instance().show(text);
 }
 } // namespace contrecoup

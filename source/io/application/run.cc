@@ -225,8 +225,6 @@ namespace io
         summary.plan = plan_;
         summary.audit = simulation_.audit();
       });
-    folder_.write_text("summary.json", to_text(summary));
-
     log_line(Timers::instance().table(all, summary.wall_seconds));
     log_line(status + " at step " + std::to_string(state_.step) + ", time " +
              brief(state_.time, 6) + " s, after " +
@@ -236,6 +234,8 @@ namespace io
       log_line("  " + error.name + " = " + brief(error.value, 6));
     for (const std::string &line : audit_lines(plan_, summary.audit))
       log_line(line);
+    summary.warnings = Log::instance().warnings();
+    folder_.write_text("summary.json", to_text(summary));
     log_line("results in " + folder_.path());
     collective_.run([]() { Log::instance().check(); });
   }

@@ -117,6 +117,7 @@ namespace io
     json["results"] = with_units(summary.results);
     json["checks"] = with_units(summary.checks);
     json["assumptions"] = assumptions(summary);
+    json["warnings"] = summary.warnings;
     json["timers"] = timers;
     return json.dump(2) + "\n";
   }

@@ -9,8 +9,10 @@
 
 namespace contrecoup
 {
-/// Output for the user: lines on the screen and in log.txt, and one redrawn
-/// status line on a terminal. Silent on all ranks except the first.
+/// Output for the user. log.txt gets every line; the screen gets warnings, the
+/// lines of show(), the others if verbose, and on a terminal one redrawn status
+/// line. A warning is a line that begins with "WARNING: ". Silent on all ranks
+/// except the first.
 class Log
 {
 public:
@@ -33,8 +35,21 @@ public:
   void begin_part();
   void end_part();
 
-  /// Writes a line. Never throws; see check().
+  /// Whether the screen gets all lines. True from the start.
+  void set_verbose(bool verbose);
+
+  /// Writes a line of detail, or a warning. Never throws; see check().
   void line(const std::string &text);
+
+  /// Writes a line that the screen always gets. Never throws; see check().
+  void show(const std::string &text);
+
+  /// Warnings since the last close(), begin_part() or end_part(), in order,
+  /// without "WARNING: " and each once; empty where not active.
+  const std::vector<std::string> &warnings() const
+  {
+    return warnings_;
+  }
 
   /// @throws SystemError when a line could not be written (disk full)
   void check() const;
@@ -48,11 +63,14 @@ public:
 private:
   Log();
   void clear_status();
+  void write(const std::string &text, bool on_screen);
 
   std::vector<std::ofstream> files_;
   std::size_t n_kept_ = 0; ///< first files that close() leaves open
   std::string held_;       ///< lines for the file that is opened next
+  std::vector<std::string> warnings_;
   bool active_ = true;
+  bool verbose_ = true;
   bool terminal_ = false;
   bool status_shown_ = false;
 };
@@ -75,4 +93,7 @@ public:
 
 /// Short for Log::instance().line().
 void log_line(const std::string &text);
+
+/// Short for Log::instance().show().
+void show_line(const std::string &text);
 } // namespace contrecoup

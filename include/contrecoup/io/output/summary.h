@@ -41,6 +41,7 @@ namespace io
     std::vector<NamedValue> checks;
     std::vector<Assumption> plan;         ///< with estimates
     std::vector<Assumption> audit;        ///< with measurements
+    std::vector<std::string> warnings;    ///< that the run printed
     std::map<std::string, double> timers; ///< [s]
   };
 
