@@ -23,22 +23,19 @@ LEAST_SIZE = 0.8
 
 # Elements that stick out of the window, or whose content sticks out of them.
 # What is cut off or can be scrolled counts as well: it cannot be read at once.
-# Pictures alone may scroll in a box of their own, so that labels stay legible.
 TOO_WIDE = """
 [...document.querySelectorAll("body, body *")].filter(element => {
-  const own = element.matches("div.picture") ? element
-    : element.matches("div.picture > img") ? element.parentElement : null;
-  if (own && getComputedStyle(own).overflowX === "auto")
-    element = own;
   const box = element.getBoundingClientRect();
-  if (element === own)
-    return box.right > innerWidth + 0.5 || box.left < -0.5;
   return box.width > 0 && (box.right > innerWidth + 0.5 || box.left < -0.5
     || (element.scrollWidth > element.clientWidth + 1
         && getComputedStyle(element).display !== "inline"));
 }).map(element => element.tagName.toLowerCase()
   + (element.className ? "." + element.className : "") + " «"
   + element.textContent.trim().slice(0, 40) + "»")
+"""
+# Pictures that were touched show themselves in their own size and scroll.
+TOUCH = """
+document.querySelectorAll(".picture input").forEach(box => box.click())
 """
 # Displayed width over the width in points of each picture; those in dots have
 # 150 an inch, as those of plot.report.page.
@@ -69,6 +66,7 @@ def find_faults(window, page, folder):
         window.evaluate("document.querySelectorAll('details').forEach("
                         "part => { part.open = true; })")
         faults += _width_faults(window, width)
+        window.evaluate(TOUCH)
         faults += [f"picture {number} is {size:.2f} of its size in a window of "
                    f"{width}" for number, size in
                    enumerate(window.evaluate(SIZES), 1) if size < LEAST_SIZE]

@@ -26,8 +26,11 @@ import damage_test
 import labels
 import tiny_scene
 
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.dirname(
-    os.path.dirname(os.path.abspath(__file__)))), "applications"))
+HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path[:0] = [os.path.join(HERE, "..", "..", "applications"),
+                os.path.join(HERE, "..", "applications", "cases")]
+
+import summaries  # noqa: E402 (after the path of the module)
 
 from plot import command_line  # noqa: E402 (after the path of the package)
 from plot.analysis import signals  # noqa: E402
@@ -35,8 +38,9 @@ from plot.figures import (body_loads, body_views, plane_cuts,  # noqa: E402
                           style)
 from plot.readers import tables  # noqa: E402
 from plot.readers.scene import Scene  # noqa: E402
-from plot.report import (error_estimate, headline,  # noqa: E402
-                         page as html_page, reflections)
+from plot.report import (blast_sections, error_estimate,  # noqa: E402
+                         headline, injury_table, injury_thresholds,
+                         page as html_page, reflections, verdict)
 
 
 class Made:
@@ -57,6 +61,15 @@ class Made:
         if os.path.exists(path):
             with open(path, encoding="utf-8") as file:
                 self.page = file.read()
+
+
+def change_json(folder, name, change):
+    """Applies a change to the content of a file."""
+    path = os.path.join(folder, name)
+    with open(path, encoding="utf-8") as file:
+        content = json.load(file)
+    change(content)
+    tiny_scene.write(path, json.dumps(content))
 
 
 def text_of(page):
@@ -106,8 +119,8 @@ class ReportTest(unittest.TestCase):
                 "Assumptions", "Accuracy", "The body's mesh",
                 "Cost", "How to reproduce"):
             self.expect(self.page, f"  {html.escape(section)}</h2>")
-        self.assertEqual(self.page.count("<figure>"), 14)
-        self.assertEqual(self.page.count("<figure>"),
+        self.assertEqual(self.page.count("<figure"), 15)
+        self.assertEqual(self.page.count("<figure"),
                          self.page.count("<figcaption>"))
 
     def test_needs_nothing_else(self):
@@ -122,8 +135,9 @@ class ReportTest(unittest.TestCase):
     def test_alternative_texts(self):
         """Each says what is to be seen, and is no caption."""
         pictures = re.findall(
-            r'<figure><div class="picture"><img [^>]*?alt="([^"]*)"[^>]*>'
-            "</div><figcaption>(.*?)</figcaption></figure>", self.page)
+            r'<figure[^>]*><label class="picture"><input [^>]*><img [^>]*?'
+            r'alt="([^"]*)"[^>]*></label><figcaption>(.*?)</figcaption>'
+            "</figure>", self.page)
         self.assertEqual(len(pictures), self.page.count("<img"))
         for description, caption in pictures:
             self.assertGreater(len(description), 30)
@@ -187,13 +201,13 @@ class ReportTest(unittest.TestCase):
         found = {row[0]: row[1:] for name, rows in files.items()
                  if name.startswith("injury_") for row in rows}
         self.assertEqual(found["measure"][:3], [
-            "value", "unit", "estimated relative error"])
+            "value", "unit", "least by the numerics"])
         self.assertEqual(found["maximum brain pressure"][:2],
                          [repr(tiny_scene.INJURY[
                              "injury_intracranial_pressure_peak"][0]), "Pa"])
         self.assertEqual(found["front chest wall velocity"][0],
                          repr(tiny_scene.HARM["chest_wall_velocity", "chest"][0]))
-        rows = files["the_scene.csv"]
+        rows = files["the_scene_1.csv"]
         self.assertEqual(rows[0], ["item", "value", "unit of value"])
         self.assertIn(["charge", "2.268", "kg of C-4"], rows)
         self.assertIn(["distance to the body", "2.337", "m"], rows)
@@ -277,7 +291,7 @@ class ReportTest(unittest.TestCase):
             self.assertEqual(command_line.run("plot.py", ["report", folder]),
                              0)
         self.assertEqual(found, [])
-        self.assertEqual(len(figures), 14)
+        self.assertEqual(len(figures), 15)
 
     def test_faults_of_labels_are_found(self):
         style.set_up()
@@ -301,15 +315,13 @@ class ReportTest(unittest.TestCase):
 
     def test_injury_of_the_skin(self):
         """Values of blast are shown with their digits."""
-        mean = tiny_scene.HARM["chest_wall_velocity", "trunk"][0]
-        self.expect(self.text, "The expected lung injury is trace to slight or "
-                    "slight to moderate by the mean chest wall velocity over "
-                    f"the trunk, {html_page.number(mean)} m/s; in front "
-                    "it is 10.8 m/s.",
-                    "The chest load is 0.26 of the 50 % lethality load.",
-                    "a probability of 79 %", "0.788", "peak 175 kPa", "0.264")
+        self.expect(self.text, "lung injury trace to moderate (by the numerics "
+                    "trace to extensive)", "6.63 m/s", "10.8 m/s",
+                    "Eardrums probably rupture (79 %, by the numerics 58 to "
+                    "89 %)", "79 % 58 to 89 %", "peak 175 kPa", "0.264")
         # The probe in the air is not where the body is.
         self.assertNotIn("free-field load", self.text)
+        self.assertNotIn("urvives", self.text)
 
     def test_load_on_the_back(self):
         """With the charge behind the person, the back's load and velocity are
@@ -327,11 +339,9 @@ class ReportTest(unittest.TestCase):
         made = Made(folder)
         self.assertEqual(made.code, 0, made.errors)
         words = text_of(made.page)
-        self.expect(words, "at the back it is 10.8 m/s.",
-                    "The back load is 0.26 of the 50 % lethality load.",
-                    "back load over the 50 % lethality load",
+        self.expect(words, "back load over the 50 % lethality load",
                     "back chest wall velocity")
-        self.assertNotIn("in front it is", words)
+        self.assertNotIn("front chest wall velocity", words)
 
     def test_load_in_the_air(self):
         """At a probe as far from the charge as the body, Bowen's definition
@@ -344,11 +354,21 @@ class ReportTest(unittest.TestCase):
         made = Made(folder)
         self.assertEqual(made.code, 0, made.errors)
         self.expect(text_of(made.page),
-                    "The wave beside the body is 0.43 of the 50 % lethality "
-                    "load of the lung, by which less than 0.1 % of standing "
-                    "persons die. The chest load is 0.26 of it.",
-                    "free-field load over the 50 % lethality load",
-                    "probability of death by lung injury < 0.001")
+                    "Survives (death by lung injury: less than 0.1 %); eardrums",
+                    "free-field load over the 50 % lethality load 0.432",
+                    "probability of death by lung injury less than 0.1 %")
+        # The tables have another verdict, for an equivalence of energies.
+        change_json(folder, "scene.json", lambda facts: facts["tables"].update(
+            is_published=False, source="ratio of energies", answer={
+                "in_the_open": {**tiny_scene.EFFECT, "lung_lethality": 0.95},
+                "before_a_wall": {"lung_lethality": 0.999}}))
+        words = text_of(Made(folder).page)
+        self.expect(words, "Survival is uncertain (death by lung injury: less "
+                    "than 0.1 % by this run, 95 % by the tables)",
+                    "The tables have another verdict on the lungs",
+                    "(the TNT equivalence is a ratio of energies, not measured)",
+                    "ratio of energies, not measured), without ground",
+                    "less than 0.1 % (more than 99 % before a wall)")
 
     def test_pressure_of_a_place(self):
         """Averaged over the tissue; of the element in older runs."""
@@ -372,11 +392,122 @@ class ReportTest(unittest.TestCase):
         self.assertEqual(errors["d"], {})
 
     def test_brain_of_the_answer(self):
-        """Both pressures and the strain, each with its own unit."""
-        self.expect(self.text, "Brain pressure ranges from −810 kPa to 1.0 MPa; "
-                    "its minimum is below the −100 kPa at which fluid may "
-                    "cavitate. In 95 % of the brain the strain is below 5.4 %,"
-                    " under the 14 % at which mild injury begins.")
+        """What exceeds a threshold, in words."""
+        self.expect(self.text, "; brain: fluid may cavitate, HIC15 above the "
+                    "limit of road traffic.")
+
+    def test_probabilities_are_bounded(self):
+        """An error of the measure is carried through the curve, and may be as
+        large as the measure."""
+        known = "rupture", [(0.5, "likely")], "", ""
+        for error, low, high in ((0.1, 0.951, 0.976), (1.5, 0., 1.)):
+            found = injury_table.Judged(
+                "ear", 0.966, "-", known, error, "", curve="eardrum_rupture",
+                of=347e3).bounds()
+            self.assertAlmostEqual(found[0], low, 2)
+            self.assertAlmostEqual(found[1], high, 2)
+        part = injury_table.Judged("x", 0.984, "-", (
+            "fraction of the brain", [], "", ""), 0.47, "")
+        self.assertEqual(part.shown_error().replace("\u00a0", " "),
+                         "52 to 100 %")
+        self.assertEqual(html_page.interval(0.17, 0.999).replace(
+            "\u00a0", " "), "17 to 100 %")
+
+    def test_verdicts(self):
+        """Words for each probability, and for levels of lung injury."""
+        for place, value, words in (
+                ("lung_lethality", 1e-6, "survives"),
+                ("lung_lethality", 0.3, "may die of lung injury"),
+                ("lung_lethality", 0.995, "almost certainly dies"),
+                ("ear_rupture_left ear", 0.01, "eardrums stay intact"),
+                ("ear_rupture_left ear", 0.2, "eardrums may rupture"),
+                ("chest_wall_mean", 2., "no lung injury"),
+                ("chest_wall_mean", 14., "lung injury severe")):
+            known = injury_thresholds.KNOWN[
+                "ear_rupture" if place.startswith("ear") else place]
+            scene = types.SimpleNamespace(table_answer=lambda _: (None, None))
+            found = verdict.verdicts(scene, [injury_table.Judged(
+                place, value, "-", known, None, "")])
+            self.assertIn(words, str(found[0]))
+
+    def test_warnings(self):
+        """Those of all stages stand in the report, each once."""
+        folder = self.copy_without("blast/fields", "biomechanics/fields.pvd")
+        for stage, texts in (("blast", ["late ignition"]),
+                             ("biomechanics", ["late ignition", "soft skull"])):
+            change_json(folder, stage + "/summary.json",
+                        lambda known: known.update(warnings=texts))
+        text = text_of(Made(folder).page)
+        self.expect(text, "Warnings of the runs late ignition (blast and "
+                    "biomechanics) soft skull (biomechanics) no coarser run of "
+                    "the body (scene)")
+        self.assertEqual(text.count("late ignition"), 1)
+
+    def test_turned_person(self):
+        """The front is the person's, with stature, mass and rotation."""
+        folder = self.copy_without("blast/fields")
+        tiny_scene.write(os.path.join(folder, "parameters.prm"),
+                         "subsection Body\n  set Rotation = 0, 0, 90\nend\n")
+        change_json(folder, "scene.json", lambda facts: facts["person"].update(
+            description="a standing person of 1.62 m and 58 kg",
+            forward=[0, 1, 0], left=[-1, 0, 0], side_to_charge="right side"))
+        text = text_of(Made(folder).page)
+        self.expect(text, "on the right of a standing person of 1.62 m and "
+                    "58 kg", "rotation of the body 0, 0, 90 degrees",
+                    "coronal plane (y = 0)")
+        self.assertNotIn("sagittal", text)
+        self.assertNotIn("published simulation", text)
+        scene = Scene(folder)
+        views = blast_sections.views_of(scene)
+        # The charge is along +x, the right side of the person.
+        self.assertEqual([views.names()[side] for side in views.loaded_sides(
+            scene.loads().measure("peak") * scene.loads().areas)][0], "right")
+
+    def test_summary(self):
+        """report.json has the verdict, its bounds and the figures by its schema;
+        headline.txt has it in lines of a terminal."""
+        path = os.path.join(self.whole, "report.json")
+        self.assertEqual(summaries.flaw_of(path), "")
+        with open(path, encoding="utf-8") as file:
+            known = json.load(file)
+        self.expect(self.text, known["headline"].replace("\u00a0", " "),
+                    *(text.replace("\u00a0", " ")
+                      for text in known["reservations"]))
+        ears = known["verdicts"][0]
+        self.assertLess(ears["least"], ears["value"])
+        self.assertEqual(len(known["figures"]), self.page.count("<img"))
+        with open(os.path.join(self.whole, "headline.txt"),
+                  encoding="utf-8") as file:
+            lines = file.read().splitlines()
+        self.assertEqual(lines, known["text"])
+        self.assertLess(max(map(len, lines)), 79)
+
+    def test_second_peak(self):
+        """What is below the ambient pressure is no peak."""
+        time = np.linspace(0., 10., 1001)
+        for level, found in ((-0.5, False), (0.5, True)):
+            values = np.interp(time, [0., 1., 1.1, 3., 5., 6., 10.],
+                               [0., 0., 1., -1., -1., level, -1.])
+            self.assertEqual(signals.find_peaks(time, values)[1] is not None,
+                             found)
+
+    def test_arrival(self):
+        """The middle of the first rise, on skin and in tissue."""
+        time = np.linspace(0., 4., 4001)
+        for sign in (1., -1.):
+            self.assertAlmostEqual(signals.arrival(time, sign * np.interp(
+                time, [0., 1., 2., 3.], [0., 0., 1., 0.])), 1.53, 1)
+
+    def test_peaks_of_every_step(self):
+        """Figures have the peaks of the table, not those of samples."""
+        scene = Scene(self.whole)
+        gauges = scene.blast.table("load_gauges.csv")
+        figure, axis = style.plt.subplots()
+        told = body_loads._draw_history(
+            axis, gauges, "chest", "black",
+            {"peak": 912e3, "peak time": 1.85e-3})
+        style.plt.close(figure)
+        self.assertTrue(told.startswith("● 912 at 1.85 ms   ▼ "), told)
 
     def test_exposure(self):
         """Thresholds of an exposure give no verdict: it is neither red nor
@@ -394,15 +525,20 @@ class ReportTest(unittest.TestCase):
 
     def test_probability(self):
         """Of a verdict, with the interval of the numerical error."""
-        self.expect(self.text, "head injury of AIS 2 or worse: 44 % (44 % to "
-                    "44 %)")
+        self.expect(self.text, "head injury of AIS 2 or worse: 44 % (43 to "
+                    "45 %)")
 
     def test_items_of_the_answer(self):
         """What could change it, in plain words."""
         self.expect(
             self.text, "Beside the body, the incident peak overpressure is "
-            "15 % below and the impulse is 32 % below Kingery and Bulmash; loads "
-            "and verdicts carry these differences.",
+            "15 % below and the impulse is 32 % below the tables of Kingery and "
+            "Bulmash, by more than the errors of both; loads and verdicts carry "
+            "these differences.",
+            "Materials/Tissue skin/Density 1200 kg/m^3 1100 kg/m^3",
+            "268 kPa ± 4.3 % 314 kPa ± 10 %",
+            "(as 1.37 times the mass of TNT for pressures, 1.19 for impulses: "
+            "TM 5-855-1 (1986)), without",
             "The run assumes 3.5 MJ/kg of afterburn (at most 7.3 MJ/kg is "
             "possible), which raises the incident peak by at most 28 % and the incident "
             "impulse by at most 32 %.",
@@ -410,7 +546,7 @@ class ReportTest(unittest.TestCase):
             "modes (warning from 5 %, limit 10 %).",
             "Beyond its limit: number of cells in the positive phase at the "
             "body (12.3; limit: at least 15).")
-        answer = re.search('<div class="answer">(.*?)</div>', self.page)[1]
+        answer = re.search('<div class="doubts">(.*?)</div>', self.page)[1]
         for word in ("duration", "is missing (limit", "The run ends before"):
             self.assertFalse(word in answer, word)
 
@@ -452,40 +588,14 @@ class ReportTest(unittest.TestCase):
                     found=lambda _, name: results[name]))
             self.assertEqual(reflections.reflectors(scene), words)
 
-    def test_peak_that_the_ground_raises(self):
-        """Near the ground a peak above measurements in free air is no error,
-        high above it is one."""
-        for height, words in (
-                ("1.27", "overpressure is 27 % above and the impulse is 35 % "
-                 "above Kingery and Bulmash; reflections by ground"),
-                ("10", "loads and verdicts carry this difference")):
-            folder = self.copy_without("blast/fields",
-                                       "biomechanics/fields.pvd")
-            for name, before, after in (
-                    ("blast/summary.json", "267701.8", "400000.0"),
-                    ("blast/summary.json", '"value": 150.4', '"value": 300.4'),
-                    ("scene.json", '"charge_place": [2.458, 0, 1.27]',
-                     f'"charge_place": [2.458, 0, {height}]'),
-                    ("scene.json", '"explosive": "c-4"',
-                     '"explosive": "composition b"')):
-                path = os.path.join(folder, name)
-                with open(path, encoding="utf-8") as file:
-                    text = file.read()
-                self.assertIn(before, text)
-                tiny_scene.write(path, text.replace(before, after))
-            text = text_of(Made(folder).page)
-            self.expect(text, "2.27 kg of composition B detonates 2.34 m")
-            self.expect(text, words)
-
     def test_other_items_of_the_answer(self):
-        """A longer phase in the air and on the skin, missing energy, no
-        afterburn."""
+        """A longer phase on the skin, missing energy, a tissue with hourglass
+        energy, no afterburn."""
         folder = self.copy_without("blast/fields", "biomechanics/fields.pvd")
         for name, before, after in (
-                ("blast/summary.json", '"probe_1_duration": {"value": 0.00231',
-                 '"probe_1_duration": {"value": 0.00300'),
                 ("biomechanics/summary.json",
                  '"energy_residual": {"value": 3.5e-06',
+                 '"hourglass_part_skeleton": {"value": 0.219, "unit": "-"}, '
                  '"energy_residual": {"value": -0.0212'),
                 ("blast/gauge_measures.csv", "back,0.0018,200000.0",
                  "back,0.0018,0.0"),
@@ -503,13 +613,10 @@ class ReportTest(unittest.TestCase):
                 "back [Pa]": 0. * times})
         text = text_of(Made(folder).page)
         self.expect(
-            text, "and the impulse is 32 % below Kingery and Bulmash; loads "
-            "and verdicts carry these differences. Beside the body, the "
-            "duration is 26 % above Kingery and Bulmash; reflections by "
-            "ground and body contribute to this.",
-            "2.1 % of the body's energy is missing (limit 1 %) and 7.7 % of "
+            text, "2.12 % of the body's energy is missing (limit 1 %) and 7.7 % of "
             "the largest internal energy was stored in hourglass modes "
-            "(warning from 5 %, limit 10 %).",
+            "(warning from 5 %, limit 10 %), of single tissues 22 % in "
+            "skeleton: their stresses are less certain.",
             "The run leaves out afterburn, which would raise the incident "
             "peak by at most 28 %",
             "The run ends before the positive phase does at chest: the "
@@ -532,7 +639,8 @@ class ReportTest(unittest.TestCase):
         """Differences to the coarser run over r^0.7 - 1: of the strain half
         its value, which passes the threshold of mild injury."""
         times = 1. / (2. ** 0.7 - 1.), 1. / ((5. / 3.) ** 0.7 - 1.)
-        for error in (0.2, 0.1 * times[0], 0.1 * times[1]):
+        # The first one is that of the chest's peak.
+        for error in (0.2, 0.1 * times[1], 0.02):
             shown = html_page.percent(error).replace("\u00a0", " ")
             self.expect(self.text, f"± {shown}")
         self.expect(self.text, "Numerical error could change")
@@ -551,7 +659,7 @@ class ReportTest(unittest.TestCase):
         self.assertFalse("over its averages" in self.text)
 
     def test_parasagittal(self):
-        self.expect(self.text, "parasagittal plane, y = 0.04 m, through "
+        self.expect(self.text, "parallel plane, y = 0.04 m, through "
                     "skeleton, brain and lung, with one")
 
     def test_signals(self):
@@ -583,8 +691,8 @@ class ReportTest(unittest.TestCase):
         self.assertEqual(made.code, 0, made.errors)
         self.assertFalse("published simulation" in made.page)
         self.expect(text_of(made.page), "Missing: fields of biomechanics.",
-                    "5.500 kg of C-4", "in front it is 3.25 m/s",
-                    "a probability of 13 %")
+                    "5.500 kg of C-4", "3.25 m/s",
+                    "Eardrums may rupture (13 %, ")
 
     def test_head_alone(self):
         """No lungs and legs in it, no places named on it, and brain where
@@ -610,17 +718,17 @@ class ReportTest(unittest.TestCase):
         made = Made(folder, paints=True)
         self.assertEqual(made.code, 0, made.errors)
         words = text_of(made.page)
-        self.expect(words, "parasagittal plane, y = 0.04 m, through brain, ",
+        self.expect(words, "parallel plane, y = 0.04 m, through brain, ",
                     "no place was named",
                     "Missing: injury.csv of biomechanics.",
                     "spinal cord (an element of brain)", "2 m² of skin.",
-                    "a body from medical images", "ends where the images end")
+                    "in front of a standing person", "ends where the images end")
         self.assertFalse("load_gauges.csv" in words)
         self.assertFalse("contrecoup (an" in words)
 
     def test_missing_stages(self):
         for names, words in (
-                (("biomechanics", "blast/loads.h5"), "in front it is"),
+                (("biomechanics", "blast/loads.h5"), "front chest wall velocity"),
                 (("blast", "anatomy", "scene.json"),
                  "Missing: load_gauges.csv of the blast.")):
             made = Made(self.copy_without(*names))

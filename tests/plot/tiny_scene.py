@@ -57,6 +57,16 @@ AUDIT = (
      "0.47", "", True, "Blast/Method/Skip quiet leaves"))
 
 
+# Name, unit, this run, its error, the tables, their error, and whether both differ
+# by more.
+TABLES = (("peak_overpressure", "Pa", 267701.8, 0.043, 314415., 0.1, True),
+          ("impulse", "Pa s", 150.4, 0.06, 221.7, 0.1, True),
+          ("duration", "s", 2.31e-3, 0.021, 2.38e-3, 0.1, False),
+          ("lung_lethality", "-", 1.35e-6, 0.3, 3.4e-7, 0.1, False))
+EFFECT = {"overpressure": 314415., "eardrum_rupture": 0.948,
+          "lung_exposure": 0.41, "lung_lethality": 3.4e-7}
+
+
 def write(path, text):
     os.makedirs(os.path.dirname(path), exist_ok=True)
     with open(path, "w", encoding="utf-8") as file:
@@ -102,6 +112,21 @@ def write_scene(folder):
         "audit": [dict(zip(("item", "decision", "quantity", "estimate",
                             "found", "limit", "holds", "entry"), row))
                   for row in AUDIT],
+        "person": {"description": "a standing person of 1.76 m and 78.5 kg",
+                   "length": 1.76, "mass": 78.5, "posture": "standing",
+                   "forward": [1, 0, 0], "left": [0, 1, 0], "up": [0, 0, 1],
+                   "side_to_charge": "front"},
+        "tables": {"equivalence_of_pressure": 1.37,
+                   "equivalence_of_impulse": 1.19, "is_published": True,
+                   "source": "TM 5-855-1 (1986)", "answer": {
+                       "in_the_open": EFFECT, "before_a_wall": {
+                           **EFFECT, "lung_lethality": 0.0421}}},
+        "table_comparison": [dict(zip((
+            "name", "unit", "run", "run_error", "tables", "tables_error",
+            "differs"), row)) for row in TABLES],
+        "changes": [{"entry": "Materials/Tissue skin/Density",
+                     "value": "1200 kg/m^3", "before": "1100 kg/m^3"}],
+        "warnings": ["no coarser run of the body"],
         "remarks": ["Organs are those of the phantom."]}))
 
 

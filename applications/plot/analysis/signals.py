@@ -7,13 +7,30 @@ import numpy as np
 ARRIVED = 0.05  # of the largest absolute value
 
 
-def arrival(time, values, part=ARRIVED):
+def onset(time, values, part=ARRIVED):
     """When a history first reaches a part of its largest absolute value; None
     for one that is zero throughout."""
     size = np.abs(values)
     if not size.max() > 0.:
         return None
     return float(time[np.argmax(size >= part * size.max())])
+
+
+def arrival(time, values, part=ARRIVED):
+    """When a history arrives: the middle of its first rise beyond a part of its
+    largest absolute value, as the blast defines arrivals on the skin; None for
+    one that is zero throughout. The rise ends where a tenth of it is lost, and
+    its middle is the mean time weighted with what the value grows by."""
+    size = np.abs(values)
+    if not size.max() > 0.:
+        return None
+    begin = int(np.argmax(size >= part * size.max()))
+    highest = np.maximum.accumulate(size[begin:])
+    lost = np.flatnonzero(size[begin:] < 0.9 * highest)
+    highest = highest[:lost[0]] if lost.size else highest
+    growth = np.diff(highest, prepend=0.)
+    times = np.asarray(time)[begin:begin + len(growth)]
+    return float(growth @ times / growth.sum())
 
 
 def is_cut(time, measures):
@@ -88,7 +105,8 @@ def low_pass(time, values, bandwidth):
 
 def find_peaks(time, over):
     """Indices of the first peak and of the second one: the top of the largest
-    rise after the first peak, if that is a tenth of the peak at least."""
+    rise after the first peak, if that is a tenth of the peak at least, and
+    above the ambient pressure."""
     if np.max(over) <= 0.:
         return None, None
     # The first peak ends where a fifth of it is lost again.
@@ -101,6 +119,7 @@ def find_peaks(time, over):
     later = over[first:]
     rise = later - np.minimum.accumulate(later)
     second = first + int(np.argmax(rise))
-    if np.max(rise) < 0.1 * over[first] or second == first:
+    if np.max(rise) < 0.1 * over[first] or second == first \
+            or over[second] <= 0.:
         return first, None
     return first, second

@@ -96,6 +96,53 @@ def draw_measures(loads, views, path):
     style.save(figure, path)
 
 
+class Mark:
+    """A part of the body with a verdict: where it is, words, a colour."""
+
+    def __init__(self, place, words, colour):
+        self.place, self.words, self.colour = place, words, colour
+
+
+def verdict_figure(loads, views, marks):
+    """The body from the two sides that the blast loads most, coloured by its
+    peak overpressure, with the parts that have a verdict."""
+    values = np.where(loads.measure("arrival") > 0., loads.measure("peak"),
+                      np.nan)
+    factor, unit = style.scale_unit("Pa", np.nanmax(values, initial=0.))
+    low, high = np.nanpercentile(values, [1., 99.5]) * factor \
+        if np.isfinite(values).any() else (0., 1.)
+    norm = Normalize(min(low, 0.), high if high > low else low + 1.)
+    sides = views.loaded_sides(np.nan_to_num(values) * loads.areas)
+    figure, axes = plt.subplots(1, 2, figsize=(3.9, 4.2))
+    left = list(marks)
+    for axis, side in zip(axes, sides):
+        axis.set_axis_off()
+        width, height = views.side_extent(side)
+        axis.imshow(views.paint_side(side, values * factor, norm,
+                                     plt.get_cmap(style.SEQUENTIAL)),
+                    extent=(0., width, 0., height))
+        axis.set_title(views.names()[side], fontsize=10)
+        seen = [(mark, views.spot(side, mark.place)) for mark in left]
+        seen = [(mark, spot) for mark, spot in seen if spot is not None]
+        left = [mark for mark in left
+                if mark not in [one for one, _ in seen]]
+        level = np.inf
+        for mark, spot in sorted(seen, key=lambda one: -one[1][1]):
+            level = min(spot[1], level - 0.075 * height)
+            axis.plot(*spot, marker="o", markersize=6, color=mark.colour,
+                      markeredgecolor="white")
+            axis.annotate(
+                mark.words, spot, (1.05 * width, level), fontsize=9,
+                color=mark.colour, va="center", weight="bold",
+                arrowprops={"arrowstyle": "-", "linewidth": 0.6,
+                            "color": mark.colour})
+    bar = figure.colorbar(plt.cm.ScalarMappable(norm, style.SEQUENTIAL),
+                          ax=axes, location="bottom", shrink=0.8, aspect=30)
+    bar.set_label(f"peak overpressure [{unit}]", fontsize=9)
+    bar.outline.set_visible(False)
+    return figure
+
+
 def _panels(views, rows, columns):
     """Axes for pictures of the body from all sides."""
     width, height = views.extent()
@@ -144,15 +191,17 @@ def draw_gauges(gauges, loads, views, path):
         style.save(gauges_figure(gauges, loads, views), path)
 
 
-def gauges_figure(gauges, loads, views):
-    """A panel for each place; the body with the places beside them."""
+def gauges_figure(gauges, loads, views, measures=None):
+    """A panel for each place; the body with the places beside them. @p
+    measures: those of gauge_measures.csv by place, whose peaks are of every
+    step."""
     names = gauges.others("time")
     columns = min(len(names), 2 if len(names) < 5 else 3)
     rows = -(-len(names) // columns)
     width = 2.6 * columns
     figure = plt.figure(
         figsize=(width + 2.4 * (views is not None),
-                 max(1.45 * rows, 3.) + 0.9))
+                 max(1.6 * rows, 3.) + 0.9))
     part = figure
     if views is not None:
         body, part = figure.subfigures(1, 2, width_ratios=[2.4, width])
@@ -163,14 +212,17 @@ def gauges_figure(gauges, loads, views):
     shown = _time_span(gauges, names)
     time_factor, time_unit = style.scale_unit("s", gauges["time"][-1])
     for number, (axis, name) in enumerate(zip(axes.flat, names)):
-        _draw_history(axis, gauges, name, style.COLOURS[number % 6])
-        axis.set_title(f"{number + 1}  {name}", fontsize=10)
+        told = _draw_history(axis, gauges, name, style.COLOURS[number % 6],
+                             (measures or {}).get(name, {}))
+        axis.set_title(f"{number + 1}  {name}", fontsize=10, pad=16)
+        axis.annotate(told, (0., 1.), (0, 3), xycoords="axes fraction",
+                      textcoords="offset points", fontsize=9)
         axis.set_xlim(shown[0] * time_factor, shown[1] * time_factor)
         if number + columns >= len(names):
             axis.set_xlabel(style.label("time", time_unit))
             axis.tick_params(labelbottom=True)
-    figure.suptitle("Overpressure at places on the body; first and second "
-                    "peak marked", x=0.01, ha="left")
+    figure.suptitle("Overpressure at places on the body; ● first and ▼ second "
+                    "peak", x=0.01, ha="left")
     return figure
 
 
@@ -183,28 +235,29 @@ def _time_span(gauges, names):
     return max(begin - 0.05 * (time[-1] - begin), time[0]), time[-1]
 
 
-def _draw_history(axis, gauges, name, colour):
+def _draw_history(axis, gauges, name, colour, measures):
+    """The curve with its peaks marked; what they are, in words."""
     time, over = gauges["time"], gauges[name]
     factor, unit = style.scale_unit("Pa", np.max(np.abs(over)))
-    time_factor = style.scale_unit("s", time[-1])[0]
+    time_factor, time_unit = style.scale_unit("s", time[-1])
     axis.axhline(0., color=style.GREY, linewidth=0.6)
     axis.fill_between(time * time_factor, 0., over * factor, color=colour,
                       alpha=0.15, linewidth=0.)
     axis.plot(time * time_factor, over * factor, color=colour, linewidth=1.2)
-    for index, marker in zip(signals.find_peaks(time, over), "ov"):
+    told = []
+    for index, marker, mark in zip(signals.find_peaks(time, over), "ov", "●▼"):
         if index is None:
             continue
-        place = (time[index] * time_factor, over[index] * factor)
+        place = time[index], over[index]
+        # Samples are means over steps and lack some of the peak.
+        if "peak" in measures and over[index] == np.max(over):
+            place = measures["peak time"], measures["peak"]
+        place = place[0] * time_factor, place[1] * factor
         axis.plot(*place, marker=marker, markersize=4, color=colour)
-        is_late = time[index] > 0.7 * time[-1]
-        # The second label stays below the first where peaks are as high.
-        drop = 8 if marker == "v" and over[index] > 0.8 * np.max(over) else -1
-        axis.annotate(f"{place[1]:.3g} at {place[0]:.3g}", place,
-                      (-6 if is_late else 6, -drop),
-                      textcoords="offset points",
-                      fontsize=9, ha="right" if is_late else "left")
+        told.append(f"{mark} {place[1]:.3g} at {place[0]:.3g} {time_unit}")
     axis.set_ylabel(unit)
     axis.margins(y=0.15)
+    return "   ".join(told)
 
 
 def _draw_places(figure, loads, views, names):

@@ -9,30 +9,38 @@ import numpy as np
 
 from plot.readers.loads import mirror_planes
 
-# Name of a view, axes to the right and up with signs, and the axis of depth
-# with the sign that points to the eye.
+# Name of a view, axes of the person (front, left, up) to the right and up with
+# signs, and the axis of depth with the sign that points to the eye.
 VIEWS = [("front", (1, 1), (2, 1), (0, 1)), ("left", (0, -1), (2, 1), (1, 1)),
          ("back", (1, -1), (2, 1), (0, -1)),
          ("right", (0, 1), (2, 1), (1, -1))]
+# What the sides of a body are called that has none of its own.
+NAMELESS = ("from +x", "from +y", "from −x", "from −y")
 GAP = 0.06  # between two views, over the height
 # Pixels in the width of the largest facet, at most: more show its edge alone.
 FINEST = 40.
 
 
-@functools.lru_cache(maxsize=1)
-def views_of(loads, folder):
+@functools.lru_cache(maxsize=2)
+def views_of(loads, folder, axes=NAMELESS):
     """Those of the body whose loads a run in @p folder recorded; None without
-    any, or in two dimensions."""
+    any, or in two dimensions. @p axes: those of the person as rows of tuples;
+    NAMELESS for a body without."""
     if loads is None or loads.is_flat or not len(loads.areas):
         return None
     return BodyViews(loads.centroids, loads.normals, loads.areas,
-                     mirror_planes(folder, loads.centroids))
+                     mirror_planes(folder, loads.centroids), axes=axes)
 
 
 class BodyViews:
     """The body from four sides, each with what facets its pixels show."""
 
-    def __init__(self, centroids, normals, areas, planes, pixels=560):
+    def __init__(self, centroids, normals, areas, planes, pixels=560,
+                 axes=NAMELESS):
+        self.axes = np.eye(3) if axes is NAMELESS else np.array(axes)
+        self._names = NAMELESS if axes is NAMELESS else tuple(
+            view[0] for view in VIEWS)
+        self.normals = normals @ self.axes.T  # of what was recorded
         facets = np.arange(len(areas))
         for axis, place in planes:
             mirrored = centroids.copy(), normals.copy()
@@ -41,6 +49,7 @@ class BodyViews:
             centroids = np.concatenate([centroids, mirrored[0]])
             normals = np.concatenate([normals, mirrored[1]])
             facets = np.concatenate([facets, facets])
+        centroids, normals = centroids @ self.axes.T, normals @ self.axes.T
         self.low = centroids.min(axis=0)
         self.high = centroids.max(axis=0)
         spacing = _spacings(centroids, areas[facets])
@@ -51,7 +60,7 @@ class BodyViews:
                   spacing, facets) for view in VIEWS]
 
     def names(self):
-        return [view[0] for view in VIEWS]
+        return self._names
 
     def extent(self):
         """Width and height of the picture of all views [m]."""
@@ -80,14 +89,23 @@ class BodyViews:
             parts += [side.paint(values, norm, colours), gap]
         return np.concatenate(parts[:-1], axis=1)
 
-    def paint_side(self, side):
-        """The body alone, in grey."""
-        return self.sides[side].paint(None, None, None)
+    def paint_side(self, side, values=None, norm=None, colours=None):
+        """The body alone, in grey without values by facet."""
+        return self.sides[side].paint(values, norm, colours)
+
+    def loaded_sides(self, loads):
+        """The side towards which the facets with the largest loads look, and
+        the one of both beside it with the larger load."""
+        towards = [np.maximum(view[3][1] * self.normals[:, view[3][0]], 0.)
+                   @ loads for view in VIEWS]
+        first = int(np.argmax(towards))
+        return first, max(((first + 1) % 4, (first + 3) % 4),
+                          key=lambda side: towards[side])
 
     def spot(self, side, point):
         """Where a point of the surface is in a view [m]; None where it cannot
         be seen."""
-        return self.sides[side].spot(point)
+        return self.sides[side].spot(self.axes @ point)
 
     def _gap(self):
         return GAP * (self.high - self.low)[2]

@@ -24,7 +24,7 @@ DIVERGING = "RdBu_r"  # white where nothing happens
 
 _PREFIXES = [(1e9, "G"), (1e6, "M"), (1e3, "k"), (1., ""), (1e-3, "m"),
              (1e-6, "µ"), (1e-9, "n")]
-_PREFIXED_UNITS = {"s", "Pa", "J", "W", "m", "N", "Pa s"}
+_PREFIXED_UNITS = {"s", "Pa", "J", "W", "m", "N", "Pa s", "Hz"}
 
 
 def set_up():

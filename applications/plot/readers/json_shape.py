@@ -22,7 +22,23 @@ SCENE = {
     "application": WORDS, "version": WORDS, "git_revision": WORDS,
     "title": WORDS, "question": WORDS, "accuracy": WORDS, "explosive": WORDS,
     "charge_mass": NUMBER, "charge_place": POINT, "distance": NUMBER,
-    "height": NUMBER, "body": WORDS, "body_box": [POINT, 2],
+    "height": NUMBER, "distance_along_x": NUMBER,
+    "person": {"description": WORDS, "length": NUMBER, "mass": NUMBER,
+               "posture": WORDS, "forward": POINT, "left": POINT, "up": POINT,
+               "side_to_charge": WORDS, "charge_azimuth": NUMBER,
+               "charge_elevation": NUMBER},
+    "tables": {"equivalence_of_pressure": NUMBER,
+               "equivalence_of_impulse": NUMBER, "is_published": TRUTH,
+               "source": WORDS,
+               "answer": {"arrival": NUMBER, "impulse": NUMBER,
+                          "duration": NUMBER, "in_the_open": {"*": NUMBER},
+                          "before_a_wall": {"*": NUMBER}}},
+    "table_comparison": [{"name": WORDS, "unit": WORDS, "run": NUMBER,
+                          "run_error": NUMBER, "tables": NUMBER,
+                          "tables_error": NUMBER, "differs": TRUTH}],
+    "changes": [{"entry": WORDS, "value": WORDS, "before": WORDS}],
+    "warnings": [WORDS],
+    "body": WORDS, "body_box": [POINT, 2],
     "domain": [POINT, 2], "symmetry": WORDS, "end_time": NUMBER,
     "cell_size_at_body": NUMBER, "element_size": NUMBER,
     "coarser_run": {"*": NUMBER},
@@ -38,7 +54,8 @@ SUMMARY = {
     "nodes": NUMBER, "unknowns": NUMBER, "wall_seconds": NUMBER,
     "performance": {"*": NUMBER}, "conservation": {"*": NUMBER},
     "errors": {"*": NUMBER}, "results": {"*": _VALUE},
-    "checks": {"*": _VALUE}, "assumptions": {"*": _ASSUMPTION}}
+    "checks": {"*": _VALUE}, "assumptions": {"*": _ASSUMPTION},
+    "warnings": [WORDS]}
 
 
 def _refuse_number(text):

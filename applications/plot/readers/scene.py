@@ -8,7 +8,8 @@ import os
 import numpy as np
 
 from plot.readers import (fields, files, json_shape, loads, planes, vtk_file)
-from plot.readers.stage import Measure, Stage, read_measures
+from plot.readers.stage import (Measure, Stage, read_entries,
+                                 read_measures)
 
 STAGES = ("anatomy", "blast", "biomechanics")
 # Columns of gauge_measures.csv, without units.
@@ -25,6 +26,7 @@ class Scene:
         self.anatomy, self.blast, self.biomechanics = (
             Stage(os.path.join(folder, self._folder_of(name)))
             for name in STAGES)
+        self.parameters = read_entries(os.path.join(folder, "parameters.prm"))
         self.coarser = self._coarser_run()
         if not self.facts and not any(
                 stage.exists for stage in
@@ -59,6 +61,29 @@ class Scene:
     def fact(self, name):
         """A number of scene.json, or None."""
         return files.as_number(self.facts.get(name))
+
+    def table_answer(self, name):
+        """What the tables say of a person in the open and before a wall, of
+        scene.json; None each where they do not."""
+        known = (self.facts.get("tables") or {}).get("answer") or {}
+        return tuple(files.as_number((known.get(place) or {}).get(name))
+                     for place in ("in_the_open", "before_a_wall"))
+
+    def warnings(self):
+        """Warnings of all stages, each once, with the stages that had them."""
+        found = {}
+        stages = [("anatomy", self.anatomy), ("blast", self.blast),
+                  ("biomechanics", self.biomechanics)]
+        if self.coarser is not None:
+            stages += [("coarser run's blast", self.coarser.blast),
+                       ("coarser run's biomechanics",
+                        self.coarser.biomechanics)]
+        for name, stage in stages:
+            for text in stage.summary.get("warnings") or []:
+                found.setdefault(text, []).append(name)
+        for text in self.facts.get("warnings") or []:
+            found.setdefault(text, ["scene"])
+        return found
 
     def charge_place(self):
         place = self.facts.get("charge_place")

@@ -41,11 +41,7 @@ class Stage:
         self.exists = os.path.isdir(folder)
         self.summary = files.read_json(self.path("summary.json"),
                                        json_shape.SUMMARY)
-        self.parameters = {}
-        if os.path.exists(self.path("parameters.prm")):
-            with files.reading(self.path("parameters.prm")):
-                self.parameters = files.read_parameters(
-                    self.path("parameters.prm"))
+        self.parameters = read_entries(self.path("parameters.prm"))
 
     def path(self, name):
         return os.path.join(self.folder, name)
@@ -79,6 +75,14 @@ class Stage:
         with files.reading(self.path("log.txt")), open(
                 self.path("log.txt"), encoding="utf-8") as file:
             return file.read()
+
+
+def read_entries(path):
+    """Entries of a parameter file by name, none without the file."""
+    if not os.path.exists(path):
+        return {}
+    with files.reading(path):
+        return files.read_parameters(path)
 
 
 def read_measures(path):

@@ -3,43 +3,13 @@
 """Assumptions of a scene and whether they held, its accuracy, cost, and how to
 reproduce it."""
 
-import csv
 import math
 import os
 
 from plot.readers import files
-from plot.report import (error_estimate, injury_thresholds, load_impulses,
-                         page, reflections)
+from plot.report import error_estimate, load_impulses, page, reflections
 
-KNOWN = os.path.join(os.path.dirname(os.path.abspath(__file__)),
-                     "known_differences.csv")
 PLAN_WIDTHS = (10, 17, 19, 9, 9, 10, 7, 19)
-BODY, SKIN = "Mesh/Element size", "cells at the skin"
-
-
-class Differences:
-    """How much a measure changed when cells or elements were halved, from
-    known_differences.csv."""
-
-    def __init__(self, path=KNOWN):
-        self.rows = []
-        if not os.path.exists(path):
-            return
-        with files.reading(path), open(path, newline="",
-                                       encoding="utf-8") as file:
-            lines = [line for line in file if not line.startswith("#")]
-            for row in csv.DictReader(lines):
-                for key in ("coarse", "fine", "at coarse", "at fine"):
-                    row[key] = float(row[key])
-                self.rows.append(row)
-
-    def find(self, measure, varied, size):
-        """The row with the coarse size nearest to @p size, or None."""
-        rows = [row for row in self.rows if row["measure"] == measure
-                and row["varied"] == varied]
-        if not rows or not size:
-            return None
-        return min(rows, key=lambda row: abs(math.log(row["coarse"] / size)))
 
 
 def plan(scene):
@@ -137,15 +107,6 @@ def statement(scene, judged):
         parts += [page.tag("h3", "Against measurements in free air"), free]
     parts += [page.tag("h3", "This scene with larger cells and elements"),
               error_estimate.section(scene, judged)]
-    rows = _difference_rows(scene, Differences())
-    if rows:
-        parts += [
-            page.tag("h3", "Halved cells and elements in another scene"),
-            page.table(
-                ("measure", "varied", "from", "to", "change"), rows,
-                "Measured once on the scene of 2.27 kg of C-4 before the "
-                "phantom, for the sizes nearest to those of this run. Other "
-                "scenes have other differences.", numbers=(2, 3, 4))]
     checks = _checks(scene)
     if checks:
         parts += [page.tag("h3", "Checks within this run"),
@@ -203,31 +164,9 @@ def _round_off(part):
     return "0" if abs(part) < 1e-9 else page.number(100. * part, 2)
 
 
-def _difference_rows(scene, differences):
-    rows = []
-    for measure in dict.fromkeys(row["measure"] for row in differences.rows):
-        for varied, size in ((SKIN, scene.cell_size()),
-                             (BODY, scene.element_size())):
-            row = differences.find(measure, varied, size)
-            if row is None:
-                continue
-            change = row["at fine"] / row["at coarse"] - 1. \
-                if row["at coarse"] else math.nan
-            rows.append((
-                injury_thresholds.title(measure),
-                "elements" if varied == BODY else varied,
-                page.plain(row["coarse"], "m"), page.plain(row["fine"], "m"),
-                page.percent(change)))
-    return rows
-
-
 def _checks(scene):
     found = scene.biomechanics.found
     items = []
-    residual = found("checks", "energy_residual")
-    if residual is not None:
-        items.append(f"Energy: {page.percent(abs(residual), 3)} of the body's "
-                     "energy is missing.")
     unmatched = found("checks", "loads_unmatched_facets")
     largest = found("checks", "loads_largest_distance")
     mean = found("checks", "loads_mean_distance")

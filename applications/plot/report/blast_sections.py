@@ -7,7 +7,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 from plot.readers import files, loads
-from plot.analysis import signals
+from plot.analysis import person, signals
 from plot.figures import (body_loads, body_views, injury_maps, plane_cuts,
                           style)
 from plot.report import error_estimate, page
@@ -68,6 +68,44 @@ def people(scene):
     return parts
 
 
+# Gauges that stand for a part with a verdict, in order.
+PLACES = {"eardrums": ("left ear", "right ear"), "lungs": ("chest", "back"),
+          "brain": ("forehead", "vertex")}
+COLOURS = {"good": "#1f6b3a", "mid": "#8a5a00", "bad": "#a12a1c",
+           "none": style.GREY}
+
+
+def verdict_figure(scene, verdicts):
+    """The body with its loads and the parts that have a verdict."""
+    known, views = scene.loads(), views_of(scene)
+    if known is None or views is None:
+        return page.missing("loads.h5 of a body in the blast's folder")
+    places, marks = known.places(), []
+    for one in verdicts:
+        names = [name for name in PLACES.get(one.subject, ())
+                 if name in places]
+        # The side with the larger load is the one that is shown.
+        marks += [body_loads.Mark(places[name], one.label(),
+                                  COLOURS[one.kind]) for name in names[:1]]
+    with files.reading(scene.blast.path("loads.h5")):
+        picture = body_loads.verdict_figure(known, views, marks)
+        largest = page.quantity(float(known.measure("peak").max()), "Pa")
+    return page.figure(
+        picture, "The body from the sides that the blast loads most, coloured "
+        f"by the peak overpressure, {largest} at most, with marks at "
+        + (page.joined(mark.words for mark in marks) or "no part") + ".",
+        "Peak overpressure on the skin. Marks have the colour of their "
+        "verdict: green below all thresholds, red above all, brown between.")
+
+
+def views_of(scene):
+    """The body from the person's four sides, or None."""
+    known = person.axes(scene)
+    return body_views.views_of(
+        scene.loads(), scene.blast.folder, body_views.NAMELESS
+        if known is None else tuple(map(tuple, known)))
+
+
 def _pick(scene, cuts):
     """Six times around and after the arrival at the body, denser at first."""
     known = scene.loads()
@@ -90,7 +128,7 @@ def _pick(scene, cuts):
 def skin(scene):
     """The body from four sides."""
     known = scene.loads()
-    views = body_views.views_of(known, scene.blast.folder)
+    views = views_of(scene)
     if known is None or views is None:
         return [page.missing("loads.h5 of a body in the blast's folder")]
     with files.reading(scene.blast.path("loads.h5")):
@@ -99,7 +137,7 @@ def skin(scene):
         measures = page.drawn(body_loads.draw_measures, known, views)
         largest = page.quantity(float(known.measure("peak").max()), "Pa")
     return [
-        page.figure(times, "The body from in front, left, behind and right, "
+        page.figure(times, f"The body: {', '.join(views.names())}, "
                     "coloured by the overpressure on its skin after "
                     f"{page.moments(moments)}.",
                     "Overpressure on the skin while the wave passes, from four "
@@ -125,15 +163,15 @@ def histories(scene):
     else:
         parts.append(page.figure(
             body_loads.gauges_figure(
-                gauges, scene.loads(),
-                body_views.views_of(scene.loads(), scene.blast.folder)),
+                gauges, scene.loads(), views_of(scene),
+                scene.gauge_measures()),
             "Curves of overpressure over time, one chart for each of "
             + ", ".join(gauges.others("time")) + "; the largest peak is "
-            + _largest_peak(gauges) + ", and the table below has all peaks.",
+            + _largest_peak(scene) + ", and the table below has all peaks.",
             "Overpressure at named places on the skin, averaged over the "
             "patch around each place. Dots mark the first peak, triangles the "
-            "second one, both with overpressure and time. The places are "
-            "numbered on the body.", "svg"))
+            "second one; above the curves both stand with overpressure and "
+            "time. The places are numbered on the body.", "svg"))
         parts += [_gauge_table(scene, gauges), _gauge_errors(scene, gauges)]
     force = resultant(scene)
     if force is not None:
@@ -148,10 +186,13 @@ def histories(scene):
     return parts
 
 
-def _largest_peak(gauges):
+def _largest_peak(scene):
     """A peak and its place in words."""
-    name = max(gauges.others("time"), key=lambda place: gauges[place].max())
-    return f"{page.quantity(float(gauges[name].max()), 'Pa')} at the {name}"
+    peaks = {name: measures["peak"] for name, measures
+             in scene.gauge_measures().items()}
+    name = max(peaks, key=peaks.get, default=None)
+    return "unknown" if name is None else \
+        f"{page.quantity(peaks[name], 'Pa')} at the {name}"
 
 
 def _gauge_table(scene, gauges):

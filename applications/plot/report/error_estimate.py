@@ -15,7 +15,7 @@ ORDER = 0.7
 
 # Measures of gauge_measures.csv that have an estimated error.
 GAUGE_MEASURES = ("peak", "impulse", "positive phase")
-# Smallest relative error of a gauge's measure: two runs can agree by chance.
+# Smallest relative error of a measure: two runs can agree by chance.
 LEAST = 0.02
 
 
@@ -61,11 +61,12 @@ def factor(scene, name):
 
 
 def of(scene, name, value, coarser):
-    """Relative error of a measure, None if unknown, and its causes."""
+    """Relative error of a measure, at least LEAST, None if unknown, and its
+    causes."""
     if not value:
         return None, ""
     times, causes = factor(scene, name)
-    return times * abs(coarser / value - 1.), causes
+    return max(LEAST, times * abs(coarser / value - 1.)), causes
 
 
 def peak_change(scene, place):
@@ -73,6 +74,16 @@ def peak_change(scene, place):
     runs = [] if scene.coarser is None else [scene.coarser, scene]
     peaks = [run.gauge_measures().get(place, {}).get("peak") for run in runs]
     return abs(peaks[0] / peaks[1] - 1.) if all(peaks) and peaks else 0.
+
+
+def of_result(scene, name):
+    """Relative error of a result of the blast, None if unknown."""
+    if scene.coarser is None:
+        return None
+    values = [run.blast.found("results", name)
+              for run in (scene.coarser, scene)]
+    return max(LEAST, factor(scene, "lung_")[0]
+               * abs(values[0] / values[1] - 1.)) if all(values) else None
 
 
 def section(scene, judged):
@@ -85,17 +96,19 @@ def section(scene, judged):
     for entry in judged:
         if entry.error is None:
             continue
-        rows.append((entry.title, page.quantity(entry.coarser, entry.unit),
-                     page.quantity(entry.value, entry.unit),
-                     page.error(entry.error)))
+        rows.append((entry.title, "–" if entry.coarser is None
+                     else entry.shown(entry.coarser), entry.shown(),
+                     entry.shown_error()))
     return page.table(
         ("measure", "coarser run", "this run", "estimated error"), rows,
         page.tag(
             "span", "The coarser run has cells of twice the size and elements "
             "of 5/3 of the size. The estimated error is the difference of both "
             "runs over r", page.tag("sup", ORDER), " − 1 with the ratio r of "
-            "the sizes. For chest wall and lungs it is at least the difference "
-            "of the peak on the chest, or on the back where that is shown; "
-            "maximum and minimum brain pressure both take the larger of their "
+            "the sizes, and at least 2 %. For chest wall and lungs it is at "
+            "least the difference of the peak on the chest, or on the back "
+            "where that is shown, and beside the body that of the incident "
+            "peak; probabilities have the bounds that follow from the error of "
+            "the pressure or load by their curve; maximum and minimum brain pressure both take the larger of their "
             "errors."),
         numbers=(1, 2, 3))

@@ -411,7 +411,6 @@ def judge(run):
         judged.append(injury_table.Judged(
             name, measure.value, measure.unit,
             (title, thresholds, source, measure.limits), None, ""))
-    injury_table.add_probabilities(judged, found, {}, 0.)
     return judged
 
 

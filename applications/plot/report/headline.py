@@ -1,52 +1,91 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Contrecoup authors
-"""The answer of a report in a few plain sentences, and how certain it is."""
+"""What a report begins with: the verdict, the answer of the tables beside it,
+what could change it, and the warnings of the runs."""
 
-import math
 import re
 
-from plot.analysis import signals
-from plot.report import injury_table, load_impulses, page, reflections
+from plot.analysis import person, signals
+from plot.readers import files
+from plot.report import injury_table, load_impulses, page, verdict
+from plot.report.energy_audit import EnergyAudit
+from plot.report.injury_thresholds import KNOWN
 
-MERGING = 40.  # degrees of incidence, from which reflections may merge
-LARGE_DIFFERENCE = 0.1  # to Kingery and Bulmash
 LARGE_LOAD_DIFFERENCE = 0.02  # of impulses on skin and elements
 LONG_ENOUGH = 0.01  # s, until the largest strains that a front causes
 # Of items of the audit, for readers who do not know the plan.
 WORDS = {"reflection": "arrival of a wave reflected by an open side of the "
          "domain",
-         "resolution": "number of cells in the positive phase at the body",
-         "rigid_body": "displacement of the body over a cell of the gas"}
-# Usual limits of the audit of a body's energy; hourglass energy is told from
-# the smaller one on.
-LARGEST_RESIDUAL, LARGEST_HOURGLASS, NOTED_HOURGLASS = 0.01, 0.1, 0.05
+         "resolution": "number of cells in the positive phase at the body"}
+# Quantities of the comparison with the tables.
+COMPARED = {"peak_overpressure": "incident peak overpressure",
+            "impulse": "impulse", "duration": "duration",
+            "arrival": "arrival", "lung_exposure": KNOWN["lung_exposure_air"][0],
+            "lung_lethality": KNOWN["lung_lethality"][0],
+            "eardrum_rupture": "rupture probability of an eardrum in the open"}
+MOST_LINES = 3  # of what could change the verdict, in the text version
 
 
-def answer(scene, judged):
-    """What this blast does to this person, and how sure that is."""
-    sentences = [_opening(scene)]
-    sentences += [words for words in (_lung(judged), _ears(judged),
-                                      _brain(judged)) if words]
-    if len(sentences) == 1:
-        sentences.append("The injury is unknown: the scene has neither gauges "
-                         "at chest and ears nor measures of injury.")
-    certainty = _certainty(scene, judged)
-    return page.tag("div", page.paragraph(" ".join(sentences)),
-                    *([page.bullets(certainty)] if certainty else []),
-                    kind="answer")
+class Lead:
+    """All that a report begins with."""
+
+    def __init__(self, scene, judged):
+        self.verdicts = verdict.verdicts(scene, judged)
+        self.sentence = verdict.sentence(self.verdicts)
+        self.opening = _opening(scene)
+        self.reservations = _certainty(scene, judged)
+        self.warnings = scene.warnings()
+        self.compared = _compared(scene)
+        self.equivalence = _equivalence(scene)
+
+    def lines(self):
+        """The text version, a few lines."""
+        more = len(self.reservations) - MOST_LINES
+        return [self.sentence, *self.reservations[:MOST_LINES]] + (
+            [f"The report has {page.count_in_words(more)} more reservations."]
+            if more > 0 else []) + (
+            [f"Warnings of the runs: {len(self.warnings)}, listed in the "
+             "report."] if self.warnings else [])
+
+    def answer(self):
+        """The box with the verdict."""
+        return page.tag("div", page.tag("p", self.sentence, kind="verdict"),
+                        page.paragraph(self.opening), kind="answer")
+
+    def tables(self):
+        """This run beside the tables of Kingery and Bulmash."""
+        if not self.compared:
+            return page.missing("an answer of the tables, which do not reach "
+                                "this charge and distance, or a probe beside "
+                                "the body")
+        return page.table(
+            ("beside the body, in the open", "this run", "tables"),
+            self.compared, "Tables: Kingery and Bulmash for a bare charge in "
+            f"free air{self.equivalence}, without ground, afterburn and body. "
+            "±: errors of the numerics and of the tables; what differs by "
+            "more is marked.", numbers=(1, 2))
+
+    def doubts(self):
+        """What could change the verdict, and the warnings."""
+        parts = []
+        if self.reservations:
+            parts += [page.tag("h3", "What could change the verdict"),
+                      page.bullets(self.reservations)]
+        if self.warnings:
+            parts += [page.tag("h3", "Warnings of the runs"), page.bullets(
+                f"{text} ({page.joined(stages)})"
+                for text, stages in self.warnings.items())]
+        return page.tag("div", *parts, kind="doubts") if parts else ""
 
 
 def _opening(scene):
     mass, place = scene.charge_mass(), scene.charge_place()
-    body = {None: "a standing man", "phantom": "a standing man",
-            "surface": "a person given by a surface",
-            "image": "a body from medical images"}.get(
-                scene.facts.get("body"), "a body")
+    body = f"{person.place_of_charge(scene)} {person.words(scene)}"
     charge = "The charge" if mass is None else (
         f"{page.quantity(mass, 'kg')} of {scene.explosive_name()}")
     distance, height = scene.fact("distance"), scene.fact("height")
-    where = f"in front of {body}" if distance is None else \
-        f"{page.number(distance)} m from {body}"
+    where = body if distance is None else \
+        f"{page.number(distance)} m {body}"
     if height is None and place is not None:
         height = float(place[2])
     if height is not None:
@@ -54,99 +93,51 @@ def _opening(scene):
     return f"{charge} detonates {where}."
 
 
-def _lung(judged):
-    """The chest wall's velocity, as the mean over the trunk and at the
-    side with the larger load, and the lung's exposure by Bowen."""
-    wall, lung = _wall(judged), _exposure(judged)
-    return " ".join(words for words in (wall, lung) if words)
-
-
-def _wall(judged):
-    mean = injury_table.find(judged, "chest_wall_mean")
-    for name, where in (("chest_wall_front", "in front"),
-                        ("chest_wall_back", "at the back"),
-                        ("injury_chest_wall_velocity", "in front")):
-        side = injury_table.find(judged, name)
-        if side is not None:
-            break
-    else:
+def _equivalence(scene):
+    """What the charge is in TNT, in words."""
+    known = scene.facts.get("tables") or {}
+    pressure, impulse = (files.as_number(known.get(f"equivalence_of_{name}"))
+                         for name in ("pressure", "impulse"))
+    if None in (pressure, impulse) or pressure == impulse == 1.:
         return ""
-    if mean is None:
-        return (f"The chest wall velocity {where} is "
-                f"{page.quantity(side.value, 'm/s')}; levels of injury are of "
-                "the mean over the sides alone.")
-    return (f"The expected lung injury is {mean.meaning() or 'none'} by the "
-            "mean chest wall velocity over the trunk, "
-            f"{page.quantity(mean.value, 'm/s')}; {where} it is "
-            f"{page.quantity(side.value, 'm/s')}.")
+    return (f" (as {page.number(pressure)} times the mass of TNT for "
+            f"pressures, {page.number(impulse)} for impulses: "
+            + (known.get("source") or "unknown source")
+            + ("" if known.get("is_published") else ", not measured") + ")")
 
 
-def _exposure(judged):
-    """Bowen's exposure in the free field, or that of the skin."""
-    text = ""
-    air = injury_table.find(judged, "lung_exposure_air")
-    death = injury_table.find(judged, "lung_lethality")
-    if air is not None and death is not None:
-        text = (f"The wave beside the body is {page.number(air.value, 2)} of "
-                "the 50 % lethality load of the lung, by which "
-                f"{_in_words(death.value)} of standing persons die. ")
-    for name, side in (("lung_exposure_back", "back"),
-                       ("lung_exposure", "chest"),
-                       ("injury_lung_exposure", "chest")):
-        skin = injury_table.find(judged, name)
-        if skin is not None:
-            return (f"{text}The {side} load is {page.number(skin.value, 2)} "
-                    "of " + ("it." if text else "the 50 % lethality load."))
-    return text.strip()
+def _compared(scene):
+    """Rows of this run beside the tables."""
+    rows = []
+    for row in scene.list_of("table_comparison"):
+        name, unit = str(row.get("name")), row.get("unit") or "-"
+        is_chance = name in ("lung_lethality", "eardrum_rupture")
+        cells = [_with_error(row.get(key), unit, is_chance,
+                             row.get(f"{key}_error"))
+                 for key in ("run", "tables")]
+        wall = scene.table_answer(name)[1]
+        if is_chance and wall is not None:
+            cells[1] += f" ({page.chance(wall)} before a wall)"
+        if row.get("differs"):
+            cells[1] = page.tag("span", cells[1], kind="mid")
+        rows.append((COMPARED.get(name, name.replace("_", " ")), *cells))
+    return rows
 
 
-def _in_words(part):
-    """A probability, without digits that mean nothing."""
-    if part > 0.99:
-        return "more than 99 %"
-    return page.percent(part) if part >= 0.001 else "less than 0.1 %"
-
-
-def _ears(judged):
-    ears = [entry for entry in judged if entry.name.startswith("ear_")]
-    if not ears:
-        return ""
-    if len(ears) == 1:
-        return "Unprotected eardrums rupture with a probability of " \
-            f"{_in_words(ears[0].value)}."
-    left, right = (
-        (entry.name[len("ear_rupture_"):] + "drum", _in_words(entry.value))
-        for entry in ears[:2])
-    return f"Unprotected, the {left[0]} ruptures with a probability of " \
-        f"{left[1]}, the {right[0]} with one of {right[1]}."
-
-
-def _brain(judged):
-    high = injury_table.find(judged, "injury_intracranial_pressure_peak")
-    low = injury_table.find(judged, "injury_intracranial_pressure_lowest")
-    strain = injury_table.find(judged, "injury_strain_95")
-    if high is None or low is None:
-        return ""
-    text = (f"Brain pressure ranges from {page.quantity(low.value, 'Pa', 2)} "
-            f"to {page.quantity(high.value, 'Pa', 2)}; its minimum is "
-            + ("below" if low.exceeded() else "above") + " the "
-            f"{page.plain(low.thresholds[0][0], 'Pa')} at which fluid may "
-            "cavitate.")
-    if strain is not None:
-        limit = strain.thresholds[0][0]
-        text += (f" In 95 % of the brain the strain is below "
-                 f"{page.percent(strain.value)}, "
-                 + (f"under the {page.plain(100. * limit, '%')} at which "
-                    "mild injury begins" if strain.exceeded() == 0
-                    else f"a threshold of {strain.meaning()} is exceeded")
-                 + ".")
-    return text
+def _with_error(value, unit, is_chance, error):
+    value = files.as_number(value)
+    if value is None:
+        return "–"
+    if is_chance:
+        return page.chance(value)
+    return page.quantity(value, unit) + (
+        "" if error is None else f" {page.error(error)}")
 
 
 def _certainty(scene, judged):
     """How sure the answer is, a sentence each."""
-    parts = _verdicts(judged) + _free_air(scene) + _afterburn(scene)
-    parts += _loads(scene) + _energy(scene) + _limits(scene)
+    parts = _tables(scene, judged) + _verdicts(judged) + _afterburn(scene)
+    parts += _loads(scene) + EnergyAudit(scene).reservations() + _limits(scene)
     parts += _cut_phases(scene)
     if any(entry.name == "injury_strain_95" for entry in judged):
         parts.append(
@@ -169,6 +160,40 @@ def _certainty(scene, judged):
     return parts
 
 
+def _tables(scene, judged):
+    """Where the run and the tables differ by more than their errors."""
+    parts = []
+    death = injury_table.find(judged, "lung_lethality")
+    if death is not None and verdict.disagrees(scene, death):
+        parts.append(
+            "The tables have another verdict on the lungs: death with a "
+            "probability of "
+            + page.chance(scene.table_answer("lung_lethality")[0])
+            + f" in the open, where this run has {death.shown()}. Trust "
+            "neither before a run with a finer Scene/Accuracy.")
+    differing = []
+    for row in scene.list_of("table_comparison"):
+        here, known = (files.as_number(row.get(key))
+                       for key in ("run", "tables"))
+        name = row.get("name")
+        if row.get("differs") and here is not None and known \
+                and not str(name).startswith(("lung", "eardrum")):
+            change = here / known - 1.
+            differing.append(f"the {COMPARED.get(name, name)} is "
+                             f"{page.percent(abs(change))} "
+                             + ("below" if change < 0. else "above"))
+    if differing:
+        parts.append(
+            "Beside the body, " + page.joined(differing) + " the tables of "
+            "Kingery and Bulmash, by more than the errors of both"
+            + ("" if (scene.facts.get("tables") or {}).get("is_published", True)
+               else " (the TNT equivalence is a ratio of energies, not "
+               "measured)") + "; loads and verdicts carry "
+            + ("these differences." if len(differing) > 1
+               else "this difference."))
+    return parts
+
+
 def _verdicts(judged):
     """Which verdicts the numerical error could change."""
     known = [entry for entry in judged if entry.has_verdict
@@ -182,46 +207,6 @@ def _verdicts(judged):
             + f" of {page.count_in_words(len(known))} verdicts"
             + (": " + page.joined(entry.short_title() for entry in open_ones)
                if open_ones else "") + "."]
-
-
-def _may_merge(scene):
-    """Whether the ground's reflection may have merged with the incident wave
-    at the probe: regular reflection of strong shocks in air ends at an angle of
-    incidence of 40 degrees (von Neumann's detachment criterion)."""
-    charge, probe = scene.charge_place(), scene.probe_place(1)
-    if charge is None or probe is None:
-        return False
-    way = math.hypot(*(charge - probe)[:2])
-    return math.degrees(math.atan2(way, charge[2] + probe[2])) > MERGING
-
-
-def _free_air(scene):
-    """Large differences of the wave beside the body to measurements."""
-    carried, added = [], []
-    for name, words in (("peak_overpressure", "incident peak overpressure"),
-                        ("impulse", "impulse"), ("duration", "duration")):
-        here, known = (scene.blast.found("results", "probe_1_" + stem + name)
-                       for stem in ("", "reference_"))
-        if not here or not known \
-                or abs(here / known - 1.) <= LARGE_DIFFERENCE:
-            continue
-        change = here / known - 1.
-        is_added = change > 0. and (name != "peak_overpressure"
-                                    or _may_merge(scene))
-        (added if is_added else carried).append(
-            f"the {words} is {page.percent(abs(change))} "
-            + ("below" if change < 0. else "above"))
-    parts = []
-    if carried:
-        parts.append("Beside the body, " + page.joined(carried) + " Kingery "
-                     "and Bulmash; loads and verdicts carry "
-                     + ("these differences." if len(carried) > 1
-                        else "this difference."))
-    if added:
-        parts.append("Beside the body, " + page.joined(added) + " Kingery and "
-                     f"Bulmash; reflections by {reflections.reflectors(scene)} "
-                     "contribute to this.")
-    return parts
 
 
 def _afterburn(scene):
@@ -267,26 +252,6 @@ def _loads(scene):
         return []
     return [f"The elements get {page.percent(mapped / recorded, 3)} of the "
             f"impulse that was recorded on the skin along {axis}."]
-
-
-def _energy(scene):
-    """What of the body's energy is missing or in hourglass modes."""
-    found = []
-    for name, entry, usual, noted, text in (
-            ("energy_residual", "Largest residual", LARGEST_RESIDUAL, None,
-             "of the body's energy is missing"),
-            ("hourglass_part", "Largest hourglass part", LARGEST_HOURGLASS,
-             NOTED_HOURGLASS,
-             "of the largest internal energy was stored in hourglass modes")):
-        part = scene.biomechanics.found("checks", name)
-        limit = (scene.biomechanics.parameter(f"Energy audit/{entry}")
-                 or [usual])[0]
-        if part is not None and abs(part) > min(limit, noted or limit):
-            warning = "" if noted is None else \
-                f"warning from {page.plain(100. * noted, '%')}, "
-            found.append(f"{page.percent(abs(part))} {text} ({warning}"
-                         f"limit {page.plain(100. * limit, '%')})")
-    return [page.joined(found) + "."] if found else []
 
 
 def _limits(scene):

@@ -33,23 +33,63 @@ GROUPS = (("Ears", ("ear_",)),
 
 
 class Judged:
-    """A measure beside its thresholds."""
+    """A measure beside its thresholds. Its error is relative; that of a
+    probability is of the measure @p of which follows it by a @p curve."""
 
     def __init__(self, name, value, unit, known, error, error_of,
-                 coarser=None):
+                 coarser=None, curve="", of=None):
         self.name, self.value, self.unit = name, value, unit
         self.title, self.thresholds, self.source, self.limits = known
         self.coarser, self.error, self.error_of = coarser, error, error_of
+        self.curve, self.of = curve, of
+        self.is_fraction = bool(curve) or self.title.startswith("fraction ")
         self.has_verdict = bool(self.thresholds) \
             and name not in injury_thresholds.EXPOSURES
-        # Events by this measure, probabilities, and their absolute errors or
-        # None.
-        self.probabilities = []
 
     def short_title(self):
         """The abbreviation, or the title without its brackets."""
         match = re.search(r"\(([A-Z]\w+)\)$", self.title)
         return match[1] if match else self.title.partition(" (")[0]
+
+    def bounds(self, curve=""):
+        """Least and largest value by the numerics, of the probability of a
+        curve by this measure; None if no error is known."""
+        if self.error is None:
+            return None
+        ends = [(self.value if self.of is None else self.of)
+                * (1. + sign * self.error) for sign in (-1., 1.)]
+        if curve or self.curve:
+            return tuple(injury_thresholds.probability(curve or self.curve,
+                                                       end) for end in ends)
+        if self.is_fraction:
+            ends = [min(max(end, 0.), 1.) for end in ends]
+        return tuple(sorted(ends))
+
+    def chances(self):
+        """Events by this measure, their probabilities and the bounds of
+        these."""
+        for curve, event in injury_thresholds.CURVES.get(self.name, ()):
+            yield (event, injury_thresholds.probability(curve, self.value),
+                   self.bounds(curve))
+
+    def shown(self, value=None):
+        """The value of this run, or another one, in words."""
+        value = self.value if value is None else value
+        return page.chance(value) if self.is_fraction \
+            else page.quantity(value, self.unit)
+
+    def shown_limit(self, limit):
+        """A threshold in words."""
+        return page.plain(100. * limit, "%") if self.is_fraction \
+            else page.plain(limit, self.unit)
+
+    def shown_error(self):
+        """The numerical error in words: of what lies between 0 and 1 the
+        bounds, of anything else the error of the value; "" if unknown."""
+        if self.error is None:
+            return ""
+        return page.interval(*self.bounds()) if self.is_fraction \
+            else page.error(self.error)
 
     def exceeded(self, value=None):
         """Number of thresholds that a value, or this one's, exceeds."""
@@ -57,9 +97,9 @@ class Judged:
         return sum(value < limit if limit < 0. else value > limit
                    for limit, _ in self.thresholds)
 
-    def meaning(self):
+    def meaning(self, value=None):
         """What the worst exceeded threshold means, "" below all."""
-        count = self.exceeded()
+        count = self.exceeded(value)
         return self.thresholds[count - 1][1] if count else ""
 
     def is_certain(self):
@@ -67,8 +107,8 @@ class Judged:
         error is known."""
         if self.error is None:
             return None
-        return all(self.exceeded(self.value * (1. + sign * self.error))
-                   == self.exceeded() for sign in (-1., 1.))
+        return all(self.exceeded(bound) == self.exceeded()
+                   for bound in self.bounds())
 
 
 def judge(scene):
@@ -77,37 +117,39 @@ def judge(scene):
     with_air = has_chest(scene) and has_probe_at_body(scene)
     coarser = {} if scene.coarser is None else _measures_of(
         scene.coarser, side, with_air)
-    # Errors of peak and duration can cancel in what follows from both.
-    peak_change = error_estimate.peak_change(scene, side)
+    of_gauges = error_estimate.of_scene_gauges(scene)
     judged = []
     for name, (value, unit, known) in _measures_of(
             scene, side, with_air).items():
         other = coarser.get(name)
-        error, of = (None, "") if other is None else error_estimate.of(
+        error, causes = (None, "") if other is None else error_estimate.of(
             scene, name, value, other[0])
-        if error is not None and name.startswith(("chest_wall_", "lung_")) \
-                and name not in AIR_NAMES.values():
-            error = max(error, peak_change)
-        judged.append(Judged(name, value, unit, known, error, of,
-                             None if other is None else other[0]))
+        curve, of = "", None
+        if name.startswith("ear_rupture_"):
+            place = name[len("ear_rupture_"):]
+            curve = "eardrum_rupture"
+            of = scene.gauge_measures().get(place, {}).get("peak")
+            error = of_gauges.get(place, {}).get("peak")
+        elif name == "lung_lethality":
+            # Its load stands before it.
+            curve, load = name, find(judged, "lung_exposure_air")
+            of, error = load.value, load.error
+        elif name == "lung_exposure_air":
+            error = _at_least(error, error_estimate.of_result(
+                scene, "probe_1_peak_overpressure") or 0.)
+        elif name.startswith(("chest_wall_", "lung_")):
+            # Errors of peak and duration can cancel in what follows from both.
+            error = _at_least(error, error_estimate.peak_change(scene, side))
+        judged.append(Judged(name, value, unit, known, error, causes,
+                             None if other is None else other[0],
+                             curve if of is not None else "", of))
     _share_errors(judged)
-    add_probabilities(judged, scene.measures(),
-                      {} if scene.coarser is None else scene.coarser.measures(),
-                      error_estimate.factor(scene, "injury")[0])
     return judged
 
 
-def add_probabilities(judged, measures, coarser, times):
-    """The probabilities that biomechanics gives by the measures; errors are the
-    differences to the coarser run, several times."""
-    for entry in judged:
-        for name, event in injury_thresholds.CURVES.get(entry.name, ()):
-            if name not in measures:
-                continue
-            value = measures[name].value
-            error = times * abs(coarser[name].value - value) \
-                if name in coarser else None
-            entry.probabilities.append((event, value, error))
+def _at_least(error, least):
+    """The larger of both; no error is known without the first."""
+    return None if error is None else max(error, least)
 
 
 def _share_errors(judged):
@@ -210,9 +252,9 @@ def table(scene, judged):
             parts.append(page.tag("h3", title))
             parts.append(table_of(group))
     parts.append(page.paragraph(
-        "Errors are relative and cover the numerics alone. They are estimated "
-        "from the coarser run of this scene (see the section on accuracy) and "
-        "unknown without that run. Thresholds are those commonly cited; they "
+        "Errors are relative, or bounds of what lies between 0 and 100\u00a0%, and "
+        "cover the numerics alone. They are estimated from the coarser run of "
+        "this scene (see the section on accuracy) and unknown without that run. Thresholds are those commonly cited; they "
         "and the tissue properties are less certain than the numerics.",
         kind="note"))
     return [part for part in parts if part]
@@ -224,21 +266,22 @@ def table_of(group):
         ("measure", "value and its estimated error",
          "thresholds and their source", "verdict", "limitations"),
         [_row(entry) for entry in group], widths=(20, 14, 29, 15, 22),
-        data=(("measure", "value", "unit", "estimated relative error",
-               "thresholds", "source", "verdict", "limitations"),
+        data=(("measure", "value", "unit", "least by the numerics",
+               "largest by the numerics", "thresholds", "source", "verdict",
+               "limitations"),
               [_data_row(entry) for entry in group]))
 
 
 def _row(entry):
-    lines = [page.escape(f"{page.plain(limit, entry.unit)}: {meaning}")
+    lines = [page.escape(f"{entry.shown_limit(limit)}: {meaning}")
              for limit, meaning in entry.thresholds]
     lines.append(page.tag("small", entry.source))
-    value = [page.tag("b", _shown(entry))]
-    if entry.error is not None:
-        value += [page.escape(page.error(entry.error)),
-                  page.tag("small", f"due to {entry.error_of}")]
-    else:
+    value = [page.tag("b", entry.shown())]
+    if entry.error is None:
         value.append(page.tag("small", "error unknown"))
+    else:
+        value += [page.escape(entry.shown_error()),
+                  page.tag("small", f"due to {entry.error_of}")]
     return (entry.title, page.Html("<br>".join(value)),
             page.Html("<br>".join(lines)), _verdict(entry), entry.limits)
 
@@ -246,18 +289,11 @@ def _row(entry):
 def _data_row(entry):
     """The same for the CSV file, with all digits."""
     return (entry.title, page.Rounded("", entry.value), entry.unit,
-            "" if entry.error is None else page.Rounded("", entry.error),
+            *("" if entry.error is None else page.Rounded("", bound)
+              for bound in entry.bounds() or ("", "")),
             "; ".join(f"{limit!r}: {meaning}"
                       for limit, meaning in entry.thresholds),
             entry.source, _verdict(entry), entry.limits)
-
-
-def _shown(entry):
-    if entry.unit == "-" and 0.9995 <= abs(entry.value) < 1.:
-        return ">\u00a00.999"
-    if injury_thresholds.is_probability(entry.name) and entry.value < 5e-4:
-        return "<\u00a00.001"
-    return page.quantity(entry.value, entry.unit)
 
 
 def _verdict(entry):
@@ -266,24 +302,28 @@ def _verdict(entry):
     if not entry.has_verdict:
         return page.tag("span", "exposure, no verdict", kind="none")
     count = entry.exceeded()
-    kind = "good" if count == 0 else \
-        "bad" if count == len(entry.thresholds) else "mid"
     word = "above: " + entry.meaning() if count else "below"
     if entry.thresholds[0][0] < 0. and count:
         word = "exceeded: " + entry.meaning()
     certain = entry.is_certain()
     note = "" if certain is None else "; the error does not change this" \
         if certain else "; a threshold lies within the error"
-    return page.Html(page.tag("span", word, kind=kind) + page.escape(note)
+    return page.Html(page.tag("span", word, kind=severity(entry))
+                     + page.escape(note)
                      + "".join(page.tag("small", "; " + words)
                                for words in _chances(entry)))
 
 
+def severity(entry):
+    """Good below all thresholds, bad above all, else mid; none of what has no
+    verdict."""
+    count = entry.exceeded()
+    return "none" if not entry.has_verdict else "good" if count == 0 else \
+        "bad" if count == len(entry.thresholds) else "mid"
+
+
 def _chances(entry):
     """Probabilities in words, with their interval."""
-    for event, value, error in entry.probabilities:
-        text = f"{event}: {page.percent(value)}"
-        if error is not None:
-            low, high = max(0., value - error), min(1., value + error)
-            text += f" ({page.percent(low)} to {page.percent(high)})"
-        yield text
+    for event, value, bounds in entry.chances():
+        yield f"{event}: {page.chance(value)}" + (
+            f" ({page.interval(*bounds)})" if bounds else "")

@@ -4,6 +4,7 @@
 All of it is in injury_criteria.json, which the applications read as well."""
 
 import json
+import math
 import os
 
 HERE = os.path.dirname(os.path.abspath(__file__))
@@ -46,19 +47,28 @@ KNOWN = {name: (measure["title"], _thresholds(measure),
 # give no verdict on injury.
 EXPOSURES = frozenset(name for name, measure in _KNOWN["measures"].items()
                       if measure.get("is_exposure"))
-# By measure: what biomechanics calls its probabilities, and of which event.
-CURVES = {name: [("injury_" + curve, _KNOWN["curves"][curve]["event"])
+# By measure: curves of probabilities, and of which event.
+CURVES = {name: [(curve, _KNOWN["curves"][curve]["event"])
                  for curve in measure["curves"]]
           for name, measure in _KNOWN["measures"].items()
           if "curves" in measure}
-OF_CURVES = frozenset(row for rows in CURVES.values() for row, _ in rows)
-PROBABILITIES = frozenset(name for name, measure in _KNOWN["measures"].items()
-                          if measure.get("is_probability"))
+# What biomechanics calls these probabilities.
+OF_CURVES = frozenset("injury_" + curve for rows in CURVES.values()
+                      for curve, _ in rows)
 
 
-def is_probability(name):
-    """Whether the value of a measure is a probability."""
-    return name.startswith("ear_") or name in PROBABILITIES
+def probability(curve, value):
+    """Of the event of a curve at a value of its measure, as the C++ class
+    InjuryCurve has it."""
+    known = _KNOWN["curves"][curve]
+    if not value > 0.:
+        return 0.
+    if known["law"] == "weibull":
+        return -math.expm1(-(value / known["scale"]) ** known["exponent"])
+    place = known["intercept"] + known["slope"] * math.log(value) - 5. \
+        if known["law"] == "probit" else \
+        (math.log(value) - known["mean"]) / known["deviation"]
+    return 0.5 * math.erfc(-place / math.sqrt(2.))
 
 
 def title(name):

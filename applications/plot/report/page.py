@@ -32,6 +32,11 @@ h2 { font-size: 21px; margin: 44px 0 10px; padding-bottom: 4px;
 h3 { font-size: 16px; margin: 22px 0 6px; }
 p, li { max-width: 78ch; }
 .sub { color: var(--soft); margin: 0 0 18px; }
+.verdict { font-size: 23px; line-height: 1.3; font-weight: 600; }
+.first { display: grid; grid-template-columns: 400px 1fr; gap: 0 24px; }
+.first figure { margin-top: 0; }
+.doubts { font-size: 14.5px; }
+.doubts ul { padding-left: 20px; margin: 4px 0; }
 .answer { background: var(--pale); border-left: 5px solid var(--accent);
           padding: 12px 20px; margin: 16px 0; font-size: 18px; }
 .answer p, .answer ul { margin: 8px 0; }
@@ -52,8 +57,8 @@ caption { caption-side: bottom; text-align: left; color: var(--soft);
           font-size: 13.5px; padding: 6px 0; }
 figure { margin: 16px 0 20px; }
 figure img { max-width: 100%; height: auto; display: block; }
-/* Labels of pictures stay legible where the window is narrower. */
-.picture { overflow-x: auto; }
+.picture { display: block; overflow-x: auto; }
+.picture input { position: absolute; opacity: 0; }
 figcaption { color: var(--soft); font-size: 13.5px; max-width: 95ch;
              padding-top: 5px; }
 code, pre { font-family: "DejaVu Sans Mono", Consolas, monospace;
@@ -71,7 +76,13 @@ details summary { cursor: pointer; color: var(--accent); }
   h1 { font-size: 25px; }
   .answer { padding: 8px 14px; font-size: 16px; }
   td, td.number { white-space: normal; overflow-wrap: anywhere; }
-  figure img { max-width: 860px; }
+  .first { display: block; }
+  .verdict { font-size: 19px; }
+  /* A touch of a picture shows it in its own size, in which it scrolls. */
+  .picture { cursor: zoom-in; }
+  .picture input:checked + img { max-width: none; }
+  .picture input:focus-visible + img { outline: 2px solid var(--accent); }
+  .large figcaption::after { content: " Touch the picture to enlarge it."; }
   .wide { display: flex; flex-direction: column; }
   .wide caption { order: 1; }
   .wide col, .wide thead { display: none; }
@@ -94,6 +105,8 @@ details summary { cursor: pointer; color: var(--accent); }
   h2, h3 { break-after: avoid; }
   p, li { max-width: none; orphans: 3; widows: 3; margin-block: 5px; }
   .answer { font-size: 10.5pt; padding: 6px 14px; }
+  .verdict { font-size: 13pt; }
+  .first { display: block; }
   .answer ul { font-size: 9.5pt; }
   table { font-size: 8pt; }
   th, td { padding: 3px 5px; }
@@ -102,6 +115,7 @@ details summary { cursor: pointer; color: var(--accent); }
   figure { margin: 8px 0 10px; }
   figure img { max-width: 100%; max-height: 110mm; }
   .picture { overflow: visible; }
+  .picture input { display: none; }
   figure, tr { break-inside: avoid; }
   nav, a.csv { display: none; }
   .paper { display: inline; }
@@ -117,6 +131,7 @@ details summary { cursor: pointer; color: var(--accent); }
 DOTS_PER_INCH = 150
 WORDS = ("no", "one", "two", "three", "four", "five", "six", "seven", "eight",
          "nine", "ten", "eleven", "twelve")
+NARROW = 400.  # px, width of pictures that narrow windows show whole
 NAMELESS = "table.csv"  # until the section is known
 
 
@@ -202,6 +217,24 @@ def count(value):
 def percent(part, digits=2):
     """A part in per cent."""
     return Rounded(f"{number(100. * part, digits)}\u00a0%", 100. * part, "%")
+
+
+def chance(part):
+    """What lies between 0 and 1 in per cent, without digits that mean
+    nothing."""
+    if 0. < part < 0.001:
+        return Rounded("less than 0.1\u00a0%", 100. * part, "%")
+    return Rounded("more than 99\u00a0%", 100. * part, "%") \
+        if 0.99 < part < 1. else percent(part)
+
+
+def interval(low, high):
+    """Bounds of what lies between 0 and 1: "17 to 100 %"."""
+    if high < 0.001 or low > 0.99:
+        return chance(high if high < 0.001 else low)
+    low, high = ("0" if part < 5e-4 else "100" if part >= 0.995 else
+                 number(100. * part, 2) for part in (low, high))
+    return f"{low} to {high}\u00a0%" if low != high else f"{low}\u00a0%"
 
 
 def error(part):
@@ -325,21 +358,23 @@ def figure(picture, description, caption, kind="png"):
     content = picture if isinstance(picture, bytes) else render(picture, kind)
     form = "image/svg+xml" if kind == "svg" else "image/png"
     data = base64.b64encode(content).decode("ascii")
-    width = _natural_width(content)
+    width = _width_of(content)
     image = Html(f'<img src="data:{form};base64,{data}" '
                  f'alt="{html.escape(description, quote=True)}"'
-                 + (f' style="width:{width}"' if width else "") + ">")
-    return tag("figure", tag("div", image, kind="picture"),
-               tag("figcaption", caption))
+                 + (f' style="width:{width:.0f}px"' if width else "") + ">")
+    touch = Html('<input type="checkbox" aria-label="own size">')
+    return tag("figure", tag("label", touch, image, kind="picture"),
+               tag("figcaption", caption),
+               kind=None if 0. < _width_of(content) <= NARROW else "large")
 
 
-def _natural_width(content):
-    """Of a PNG picture, at which points of its fonts are points; None of
-    others, which have their own."""
+def _width_of(content):
+    """Of a PNG picture the width at which points of its fonts are points [px];
+    0 of others, which have their own."""
     if not content.startswith(b"\x89PNG"):
-        return None
+        return 0.
     dots, = struct.unpack(">I", content[16:20])
-    return f"{96. * dots / DOTS_PER_INCH:.0f}px"
+    return 96. * dots / DOTS_PER_INCH
 
 
 def render(picture, kind):
@@ -373,6 +408,19 @@ class Page:
 
     def section(self, name, *parts):
         self.sections.append((name, parts))
+
+    def figures(self):
+        """Section, description and caption of each figure, in order."""
+        found = []
+        for name, parts in [("", self.lead), *self.sections]:
+            for description, caption in re.findall(
+                    'alt="([^"]*)".*?<figcaption>(.*?)</figcaption>',
+                    "".join(map(str, parts)), re.S):
+                found.append({"section": name, **{
+                    key: html.unescape(re.sub("<[^>]*>", "", text)) for
+                    key, text in (("description", description),
+                                  ("caption", caption))}})
+        return found
 
     def render(self):
         links, body = [], []

@@ -3,16 +3,19 @@
 """The report on a scene: all its sections, in order."""
 
 from plot.report import (accuracy, blast_sections, body_sections, headline,
-                         injury_table, page, paper, scene_sections)
+                         injury_table, page, paper, scene_sections, summary)
 
 
 def build(scene):
-    """All sections."""
+    """The page, and what report.json holds."""
     facts = scene.facts
     title = str(facts.get("title") or "Report of a blast on a body")
     parts = page.Page(title, _subtitle(facts))
     judged = injury_table.judge(scene)
-    parts.open_with(headline.answer(scene, judged))
+    lead = headline.Lead(scene, judged)
+    parts.open_with(lead.answer(), page.tag(
+        "div", blast_sections.verdict_figure(scene, lead.verdicts),
+        page.tag("div", lead.tables(), lead.doubts()), kind="first"))
     parts.section("The scene", *scene_sections.section(scene))
     parts.section("Events over time", *scene_sections.timeline(scene))
     parts.section("Pressure in the air", *blast_sections.air(scene))
@@ -41,7 +44,7 @@ def build(scene):
     parts.section("The body's mesh", *body_sections.mesh(scene))
     parts.section("Cost", *accuracy.cost(scene))
     parts.section("How to reproduce", *accuracy.reproduce(scene))
-    return parts.render()
+    return parts.render(), summary.of(scene, judged, lead, parts)
 
 
 def _subtitle(facts):

@@ -8,7 +8,8 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.patches import Circle
 
-from plot.analysis import signals, tissue_places
+from plot.analysis import person, signals, tissue_places
+from plot.readers import files
 from plot.figures import body_views, style
 from plot.report import page
 
@@ -40,7 +41,18 @@ def facts(scene):
                             ("height above ground", "height", "m")):
         if scene.fact(key) is not None:
             add(name, page.quantity(scene.fact(key), unit, 4))
+    along = scene.fact("distance_along_x")
+    if along is not None:
+        add("distance to the skin along x", page.quantity(along, "m", 4))
     add("body", scene.facts.get("body"))
+    add("person", person.words(scene))
+    if person.place_of_charge(scene) != "from":
+        add("side of the charge", person.place_of_charge(scene)
+            + " the person")
+    for name, unit in (("Rotation", "degrees about x, y, z"), ("Shift", "m")):
+        value = scene.parameters.get(f"Body/{name}")
+        if value and np.any(files.points_of(value)):
+            add(f"{name.lower()} of the body", f"{value} {unit}")
     symmetry = scene.facts.get("symmetry")
     add("plane of symmetry", f"{symmetry} = 0" if symmetry in ("x", "y", "z")
         else symmetry)
@@ -62,6 +74,12 @@ def _millimetres(size):
 def section(scene):
     """Facts and drawing."""
     parts = [facts(scene)]
+    changes = scene.list_of("changes")
+    if changes:
+        parts.append(page.table(
+            ("entry that is not of the libraries", "value", "library"),
+            [(page.tag("code", row.get("entry", "")), row.get("value", ""),
+              row.get("before", "")) for row in changes]))
     remarks = [_sentence(str(remark))
                for remark in scene.facts.get("remarks") or []]
     if scene.facts.get("body") == "image":
@@ -132,7 +150,7 @@ def _draw_body(scene, axis):
     views = body_views.views_of(scene.loads(), scene.blast.folder)
     if views is None:
         return
-    side = views.names().index("right")
+    side = [view[0] for view in body_views.VIEWS].index("right")
     width, height = views.side_extent(side)
     left, low = views.sides[side].origin
     axis.imshow(views.paint_side(side), zorder=1, interpolation="bilinear",

@@ -19,7 +19,7 @@ REGRESSION = 0.03
 PEAKS = {
     # quickstart.prm as in the test, but with cells of 20 mm at the skin
     # ("Scene/Accuracy=fast"): 829 and 592 kPa. Cells of 10 and 5 mm have 905
-    # and 1008, 582 and 649 (applications/plot/report/known_differences.csv).
+    # and 1008, 582 and 649.
     "scene_main_job": {"chest": (777648., 829159., -0.062),
                        "forehead": (597915., 592485., 0.009)},
     # The phantom of the same stature and mass, whose skin has no stairs of 10

@@ -47,7 +47,8 @@ class Page(html.parser.HTMLParser):
         if tag in ("br", "img", "col", "meta"):
             return
         self._open.append(tag)
-        if tag == "div" and ("class", "answer") in attributes:
+        if tag == "div" and dict(attributes).get("class") in ("answer",
+                                                              "doubts"):
             self._depth_of_answer = len(self._open)
         elif tag == "table":
             self.tables.append(Table(self._section, self._heading))

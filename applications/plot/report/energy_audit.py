@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Contrecoup authors
+"""The audit of a body's energy: what is missing, and what hourglass modes
+store, of the body and of its tissues."""
+
+from plot.report import page
+
+NOTED_HOURGLASS = 0.05  # from which on biomechanics warns
+HOURGLASS = "hourglass_part"
+
+
+class EnergyAudit:
+    """Figures of the summary of biomechanics and their limits [-]."""
+
+    def __init__(self, scene):
+        body = scene.biomechanics
+        self.residual = body.found("checks", "energy_residual")
+        self.hourglass = body.found("checks", HOURGLASS)
+        self.largest_residual, self.largest_hourglass = (
+            (body.parameter(f"Energy audit/{entry}") or [usual])[0]
+            for entry, usual in (("Largest residual", 0.01),
+                                 ("Largest hourglass part", 0.1)))
+        names = [name for name in body.summary.get("checks") or {}
+                 if name.startswith(HOURGLASS + "_")]
+        self.tissues = {
+            name[len(HOURGLASS) + 1:].replace("_", " "):
+            body.found("checks", name) or 0. for name in names}
+
+    def is_known(self):
+        return None not in (self.residual, self.hourglass)
+
+    def missing(self):
+        """The fraction of the energy that is missing, in words; the same at
+        all places."""
+        return page.percent(abs(self.residual), 3)
+
+    def high_tissues(self):
+        """Tissues beyond the limit of the body, in words; "" for none."""
+        return page.joined(
+            f"{page.percent(part)} in {tissue}" for tissue, part in sorted(
+                self.tissues.items(), key=lambda item: -item[1])
+            if part > self.largest_hourglass)
+
+    def reservations(self):
+        """What is beyond its limit or noted, in a sentence; [] for nothing."""
+        found = []
+        if self.residual is not None \
+                and abs(self.residual) > self.largest_residual:
+            found.append(f"{self.missing()} of the body's energy is missing "
+                         f"(limit {_limit(self.largest_residual)})")
+        part, tissues = self.hourglass or 0., self.high_tissues()
+        if tissues or part > min(NOTED_HOURGLASS, self.largest_hourglass):
+            found.append(self._hourglass_words(tissues))
+        return [page.joined(found) + "."] if found else []
+
+    def _hourglass_words(self, tissues):
+        return (f"{page.percent(self.hourglass)} of the largest internal "
+                "energy was stored in hourglass modes (warning from "
+                f"{_limit(NOTED_HOURGLASS)}, limit "
+                f"{_limit(self.largest_hourglass)})"
+                + (f", of single tissues {tissues}: their stresses are less "
+                   "certain" if tissues else ""))
+
+    def verdict(self):
+        """Whether the audit holds, as a paragraph."""
+        if not self.is_known():
+            return page.missing("the audit in summary.json of biomechanics")
+        holds = abs(self.residual) <= self.largest_residual \
+            and self.hourglass <= self.largest_hourglass
+        return page.paragraph(
+            page.tag("span", "The audit of the body's energy holds" if holds
+                     else "The audit of the body's energy does not hold",
+                     kind="good" if holds else "bad"),
+            f": {self.missing()} of the energy is missing (limit "
+            f"{_limit(self.largest_residual)}), and "
+            + self._hourglass_words(self.high_tissues()) + ".")
+
+
+def _limit(part):
+    return page.plain(100. * part, "%")

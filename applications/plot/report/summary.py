@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Contrecoup authors
+"""A report for programs: report.json, whose schema is
+applications/schemas/report.schema.json, and headline.txt, the verdict in a few
+lines."""
+
+import json
+import math
+import os
+import textwrap
+
+from plot.report import injury_table
+
+WIDTH = 78  # of the lines of headline.txt
+
+
+def of(scene, judged, lead, page):
+    """What report.json holds."""
+    facts = scene.facts
+    return {
+        "application": "scene", "version": facts.get("version", ""),
+        "git_revision": facts.get("git_revision", ""), "title": page.title,
+        "headline": lead.sentence, "scene": lead.opening,
+        "text": wrapped(lead.lines()),
+        "verdicts": [_verdict(one) for one in lead.verdicts],
+        "measures": [_measure(entry) for entry in judged],
+        "tables": facts.get("table_comparison") or [],
+        "reservations": lead.reservations,
+        "warnings": [{"text": text, "stages": stages}
+                     for text, stages in lead.warnings.items()],
+        "sources": list(dict.fromkeys(entry.source for entry in judged
+                                      if entry.thresholds)),
+        "figures": page.figures()}
+
+
+def wrapped(lines):
+    """Lines of a terminal, those of one paragraph after the first indented."""
+    return [part for line in lines for part in textwrap.wrap(
+        plain(line), WIDTH, subsequent_indent="  ")]
+
+
+def plain(text):
+    """A text with spaces that a terminal breaks at."""
+    return text.replace("\u00a0", " ").replace("\u202f", " ")
+
+
+def _number(value):
+    return value if value is not None and math.isfinite(value) else None
+
+
+def _bounds(bounds):
+    low, high = bounds or (None, None)
+    return {"least": _number(low), "largest": _number(high)}
+
+
+def _verdict(one):
+    return {"subject": one.subject, "words": str(one), "severity": one.kind,
+            "measure": one.entry.name, "value": _number(one.entry.value),
+            **_bounds(one.entry.bounds()),
+            "is_certain": one.entry.is_certain()}
+
+
+def _measure(entry):
+    return {"name": entry.name, "title": entry.title,
+            "value": _number(entry.value), "unit": entry.unit,
+            **_bounds(entry.bounds()), "coarser": _number(entry.coarser),
+            "thresholds": [{"value": limit, "meaning": meaning}
+                           for limit, meaning in entry.thresholds],
+            "verdict": entry.meaning(), "severity":
+            injury_table.severity(entry), "is_certain": entry.is_certain(),
+            "probabilities": [{"event": event, "value": value,
+                               **_bounds(bounds)}
+                              for event, value, bounds in entry.chances()],
+            "source": entry.source, "limits": entry.limits}
+
+
+def write(folder, content):
+    """Writes report.json and headline.txt, and prints the lines of the latter,
+    indented by two spaces."""
+    for name, text in (
+            ("report.json", json.dumps(content, indent=2, ensure_ascii=False)),
+            ("headline.txt", "\n".join(content["text"]))):
+        path = os.path.join(folder, name)
+        with open(path + ".new", "w", encoding="utf-8") as file:
+            file.write(text + "\n")
+        os.replace(path + ".new", path)
+    for line in content["text"]:
+        print("  " + line)

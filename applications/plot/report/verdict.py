@@ -1,0 +1,166 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Contrecoup authors
+"""The verdict of a report in plain words: whether the person survives, and what
+becomes of eardrums, lungs and brain, with the bounds of the numerics."""
+
+from plot.report import injury_table, page
+
+# Words up to a probability, for the event itself.
+LIFE = ((0.01, "survives"), (0.5, "may die of lung injury"),
+        (0.99, "probably dies of lung injury"),
+        (2., "almost certainly dies of lung injury"))
+EARS = ((0.05, "stay intact"), (0.5, "may rupture"),
+        (0.95, "probably rupture"), (2., "almost certainly rupture"))
+NO_LEVEL = "none"
+
+
+class Verdict:
+    """Of one part of the person: words, and what stands in brackets behind
+    them. @p kind: good, mid, bad or none."""
+
+    def __init__(self, subject, words, kind, detail="", entry=None):
+        self.subject, self.words, self.kind = subject, words, kind
+        self.detail, self.entry = detail, entry
+
+    def label(self):
+        """A few words beside a mark on a picture."""
+        is_chance = self.entry is not None and self.entry.curve
+        return self.subject + (f" {self.entry.shown()}" if is_chance else "")
+
+    def __str__(self):
+        return self.words + (f" ({self.detail})" if self.detail else "")
+
+
+def verdicts(scene, judged):
+    """All that the scene allows, in the order of the sentence."""
+    return [found for found in (_life(scene, judged), _ears(judged),
+                                _lungs(judged), _brain(judged)) if found]
+
+
+def sentence(found):
+    """Verdicts as one sentence."""
+    text = "; ".join(str(one) for one in found)
+    return text[:1].upper() + text[1:] + "." if text else (
+        "The injury is unknown: the scene has neither gauges at chest and ears "
+        "nor measures of injury.")
+
+
+def _word(words, value):
+    return next(word for limit, word in words if value < limit)
+
+
+def _by_the_numerics(entry):
+    """The bounds of a probability in words; "" where they say no more."""
+    if entry.error is None:
+        return ", numerical error unknown"
+    bounds = page.interval(*entry.bounds())
+    return "" if bounds == entry.shown() else f", by the numerics {bounds}"
+
+
+def disagrees(scene, entry):
+    """Whether the tables have another verdict on life than the run, beyond its
+    error."""
+    known, _ = scene.table_answer("lung_lethality")
+    if known is None:
+        return False
+    bounds = entry.bounds() or (entry.value, entry.value)
+    words = {_word(LIFE, value) for value in (entry.value, *bounds)}
+    return _word(LIFE, known) not in words
+
+
+def _life(scene, judged):
+    entry = injury_table.find(judged, "lung_lethality")
+    if entry is None:
+        return None
+    words = _word(LIFE, entry.value)
+    detail = f"death by lung injury: {entry.shown()}{_by_the_numerics(entry)}"
+    kind = injury_table.severity(entry)
+    if disagrees(scene, entry):
+        known = page.chance(scene.table_answer("lung_lethality")[0])
+        return Verdict("life", "survival is uncertain", "bad",
+                       f"death by lung injury: {entry.shown()} by this run"
+                       f"{_by_the_numerics(entry)}, {known} by the tables",
+                       entry)
+    wall = injury_table.find(judged, "chest_wall_mean")
+    if words == LIFE[0][1] and (
+            (entry.error is not None and entry.bounds()[1] >= LIFE[0][0])
+            or (wall is not None and "lethality" in wall.meaning())):
+        words, kind = "probably survives", "mid"
+    return Verdict("life", words, kind, detail, entry)
+
+
+def _ears(judged):
+    """One verdict, or one for each ear where these differ."""
+    ears = [entry for entry in judged if entry.name.startswith("ear_")]
+    if not ears:
+        return None
+    worst = max(ears, key=lambda entry: entry.value)
+    kind = injury_table.severity(worst)
+    words = [_word(EARS, entry.value) for entry in ears]
+    if len(ears) > 1 and len(set(words)) > 1:
+        sides = [entry.name[len("ear_rupture_"):].split()[0] for entry in ears]
+        parts = [f"{side} eardrum {_singular(word)} ({entry.shown()}"
+                 f"{_by_the_numerics(entry)})" for side, word, entry
+                 in zip(sides, words, ears)]
+        return Verdict("eardrums", ", ".join(parts), kind, "", worst)
+    figures = {entry.shown() + _by_the_numerics(entry) for entry in ears}
+    return Verdict("eardrums", "eardrums " + words[0], kind, " and ".join(
+        sorted(figures)), worst)
+
+
+def _singular(word):
+    """"stay intact" of one eardrum: "stays intact"."""
+    verb = "stay" if word.startswith("stay") else "rupture"
+    return word if word.startswith("may") else word.replace(verb, verb + "s")
+
+
+def _levels(entry, values):
+    """Levels of lung injury that velocities have, from the first level of the
+    smallest to the last one of the largest: "trace to moderate"."""
+    meanings = [entry.meaning(value) or NO_LEVEL for value in values]
+    words = [NO_LEVEL if meaning == NO_LEVEL else
+             "severe" if "lethality" in meaning else
+             meaning.split(" or ")[end].split(" to ")[end]
+             for meaning, end in zip(meanings, (0, -1))]
+    return " to ".join(dict.fromkeys(words))
+
+
+def _lungs(judged):
+    entry = injury_table.find(judged, "chest_wall_mean")
+    if entry is None:
+        return None
+    here = _levels(entry, (entry.value, entry.value))
+    detail = "numerical error unknown"
+    if entry.error is not None:
+        bounds = _levels(entry, entry.bounds())
+        detail = "" if bounds == here else f"by the numerics {bounds}"
+    words = "no lung injury" if here == NO_LEVEL else f"lung injury {here}"
+    return Verdict("lungs", words, injury_table.severity(entry), detail, entry)
+
+
+def _brain(judged):
+    """What of strain, tension and motion exceeds a threshold."""
+    entries = [entry for entry in judged if entry.name.startswith("injury_")
+               and not entry.name.startswith("injury_lung")
+               and entry.has_verdict]
+    if not entries:
+        return None
+    above = [entry for entry in entries if entry.exceeded()]
+    unsure = [entry.short_title() for entry in entries
+              if entry.is_certain() is False]
+    return Verdict(
+        "brain", "brain: " + (", ".join(map(_reached, above))
+                              or "below all thresholds"),
+        "mid" if above else "good", "by the numerics uncertain: "
+        + page.joined(unsure) if unsure else "",
+        above[0] if above else entries[0])
+
+
+def _reached(entry):
+    """What a measure of the brain says, in words."""
+    meaning = entry.meaning()
+    if entry.name == "injury_intracranial_pressure_lowest":
+        return meaning
+    return f"{entry.short_title()} " + (
+        f"above the {meaning}" if meaning.startswith("limit")
+        else f"as for {meaning}")
