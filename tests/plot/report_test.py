@@ -507,7 +507,7 @@ class ReportTest(unittest.TestCase):
             axis, gauges, "chest", "black",
             {"peak": 912e3, "peak time": 1.85e-3})
         style.plt.close(figure)
-        self.assertTrue(told.startswith("● 912 at 1.85 ms   ▼ "), told)
+        self.assertTrue(told.startswith("● 912 at 1.85  ▼ "), told)
 
     def test_exposure(self):
         """Thresholds of an exposure give no verdict: it is neither red nor

@@ -216,7 +216,8 @@ def gauges_figure(gauges, loads, views, measures=None):
                              (measures or {}).get(name, {}))
         axis.set_title(f"{number + 1}  {name}", fontsize=10, pad=16)
         axis.annotate(told, (0., 1.), (0, 3), xycoords="axes fraction",
-                      textcoords="offset points", fontsize=9)
+                      textcoords="offset points", fontsize=8) \
+            .set_in_layout(False)
         axis.set_xlim(shown[0] * time_factor, shown[1] * time_factor)
         if number + columns >= len(names):
             axis.set_xlabel(style.label("time", time_unit))
@@ -254,10 +255,10 @@ def _draw_history(axis, gauges, name, colour, measures):
             place = measures["peak time"], measures["peak"]
         place = place[0] * time_factor, place[1] * factor
         axis.plot(*place, marker=marker, markersize=4, color=colour)
-        told.append(f"{mark} {place[1]:.3g} at {place[0]:.3g} {time_unit}")
+        told.append(f"{mark} {place[1]:.3g} at {place[0]:.3g}")
     axis.set_ylabel(unit)
     axis.margins(y=0.15)
-    return "   ".join(told)
+    return "  ".join(told) + f" {time_unit}" * bool(told)
 
 
 def _draw_places(figure, loads, views, names):

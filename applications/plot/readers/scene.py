@@ -12,6 +12,7 @@ from plot.readers.stage import (Measure, Stage, read_entries,
                                  read_measures)
 
 STAGES = ("anatomy", "blast", "biomechanics")
+COARSER = "coarser run of "
 # Columns of gauge_measures.csv, without units.
 GAUGE_MEASURES = ("arrival", "peak", "peak time", "impulse", "positive phase")
 
@@ -70,19 +71,17 @@ class Scene:
                      for place in ("in_the_open", "before_a_wall"))
 
     def warnings(self):
-        """Warnings of all stages, each once, with the stages that had them."""
-        found = {}
-        stages = [("anatomy", self.anatomy), ("blast", self.blast),
-                  ("biomechanics", self.biomechanics)]
+        """Warnings of all stages, each once, with the stages that had them;
+        those of the coarser run alone last."""
+        stages = [(name, getattr(self, name).summary) for name in STAGES]
+        stages.append(("scene", self.facts))
         if self.coarser is not None:
-            stages += [("coarser run's blast", self.coarser.blast),
-                       ("coarser run's biomechanics",
-                        self.coarser.biomechanics)]
-        for name, stage in stages:
-            for text in stage.summary.get("warnings") or []:
+            stages += [(COARSER + name, getattr(self.coarser, name).summary)
+                       for name in STAGES[1:]]
+        found = {}
+        for name, content in stages:
+            for text in content.get("warnings") or []:
                 found.setdefault(text, []).append(name)
-        for text in self.facts.get("warnings") or []:
-            found.setdefault(text, ["scene"])
         return found
 
     def charge_place(self):

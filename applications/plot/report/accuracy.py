@@ -283,7 +283,9 @@ def reproduce(scene):
         ranks = facts.get("ranks") or 1
         if ranks > 1 and "mpirun" not in command:
             command = f"mpirun -np {ranks} {command}"
-        parts.append(page.tag("pre", command))
+        parts += [page.tag("pre", command), page.paragraph(
+            "What is finished in the folder is kept; --overwrite computes all "
+            "anew, another folder after --output keeps both.", kind="note")]
     rows = []
     for name, stage in (("scene", None), ("anatomy", scene.anatomy),
                         ("blast", scene.blast),

@@ -7,6 +7,7 @@ import re
 
 from plot.analysis import person, signals
 from plot.readers import files
+from plot.readers.scene import COARSER
 from plot.report import injury_table, load_impulses, page, verdict
 from plot.report.energy_audit import EnergyAudit
 from plot.report.injury_thresholds import KNOWN
@@ -71,10 +72,18 @@ class Lead:
         if self.reservations:
             parts += [page.tag("h3", "What could change the verdict"),
                       page.bullets(self.reservations)]
-        if self.warnings:
-            parts += [page.tag("h3", "Warnings of the runs"), page.bullets(
-                f"{text} ({page.joined(stages)})"
-                for text, stages in self.warnings.items())]
+        told = {is_coarser: [
+            f"{text} ({page.joined(stages)})" for text, stages
+            in self.warnings.items()
+            if stages[0].startswith(COARSER) == is_coarser]
+            for is_coarser in (False, True)}
+        if told[False]:
+            parts += [page.tag("h3", "Warnings of the runs"),
+                      page.bullets(told[False])]
+        if told[True]:
+            parts.append(page.folded_table(
+                "Warnings of the coarser run alone, which estimates the error",
+                page.bullets(told[True])))
         return page.tag("div", *parts, kind="doubts") if parts else ""
 
 

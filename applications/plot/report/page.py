@@ -233,7 +233,8 @@ def interval(low, high):
     if high < 0.001 or low > 0.99:
         return chance(high if high < 0.001 else low)
     low, high = ("0" if part < 5e-4 else "100" if part >= 0.995 else
-                 number(100. * part, 2) for part in (low, high))
+                 number(100. * part, 1 if part < 0.01 else 2)
+                 for part in (low, high))
     return f"{low} to {high}\u00a0%" if low != high else f"{low}\u00a0%"
 
 

@@ -278,7 +278,7 @@ def timeline(scene):
                 "continues at the end of the run" if event.is_cut else
                 f"ends at {page.milliseconds(event.end)}")
         elif event.lane == "tissue":
-            text = (f"{event.what}: pressure begins, first waves are largest "
+            text = (f"{event.what}: the wave arrives, first waves are largest "
                     f"at {page.milliseconds(event.mark)}")
         else:
             text = event.what
@@ -289,8 +289,13 @@ def timeline(scene):
         caption += ("Bars: positive phases on the skin; triangles: second "
                     "front, reflected by the ground or by the body. ")
     if "tissue" in lanes:
-        caption += ("Lines: from the onset of pressure in the tissue to its "
-                    "largest absolute value within 2.5 ms. ")
+        caption += ("Lines: from the arrival in the tissue to the largest "
+                    "absolute pressure within 2.5 ms. ")
+    rises = _rises(scene)
+    if rises:
+        caption += ("Arrivals are the middle of the first rise, which lasts "
+                    f"{page.quantity(float(np.median(rises)), 's', 2)} (median "
+                    "on the skin): events that are closer have no order. ")
     return [page.figure(
         _draw_timeline(found), "Chart of events on a time axis, one row for "
         "each place on the skin and in the tissue, from "
@@ -311,6 +316,15 @@ def timeline(scene):
                     (event.begin, None if event.is_cut else event.end,
                      event.mark)), event.detail)
                  for event in sorted(found, key=lambda event: event.begin)])))]
+
+
+def _rises(scene):
+    """Of all gauges that the wave reaches, how long the first rise lasts
+    [s]."""
+    gauges = scene.blast.table("load_gauges.csv")
+    return [] if gauges is None else [
+        signals.rise_time(gauges["time"], gauges[name])
+        for name in gauges.others("time") if gauges[name].max() > 0.]
 
 
 def _draw_timeline(found):

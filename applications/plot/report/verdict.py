@@ -146,13 +146,12 @@ def _brain(judged):
     if not entries:
         return None
     above = [entry for entry in entries if entry.exceeded()]
-    unsure = [entry.short_title() for entry in entries
-              if entry.is_certain() is False]
+    unsure = [entry for entry in entries if entry.is_certain() is False]
     return Verdict(
         "brain", "brain: " + (", ".join(map(_reached, above))
                               or "below all thresholds"),
-        "mid" if above else "good", "by the numerics uncertain: "
-        + page.joined(unsure) if unsure else "",
+        "mid" if above else "good",
+        "uncertain by the numerics" if unsure else "",
         above[0] if above else entries[0])
 
 

@@ -11,10 +11,13 @@
 #include <contrecoup/io/file/checked_file.h>
 #include <contrecoup/io/run/plan_table.h>
 
+#include <boost/algorithm/string/replace.hpp>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <filesystem>
 
 namespace contrecoup::coupling
 {
@@ -129,13 +132,29 @@ namespace
   }
 
 
-  /// Command line of the user without ranks and folders.
+  /// A word as a shell takes it, in quotes if it needs them.
+  std::string quoted(const std::string &word)
+  {
+    const auto is_plain = [](const unsigned char c) {
+      return std::isalnum(c) || std::string("-_./=+:,@").find(c) < 9;
+    };
+    return std::all_of(word.begin(), word.end(), is_plain)
+             ? word
+             : "'" + boost::replace_all_copy(word, "'", "'\\''") + "'";
+  }
+
+
+  /// Command line that repeats the scene from any folder, without ranks.
   std::string call_of(const io::CommandLine &command)
   {
-    std::string call = "scene " + command.parameter_file;
+    std::error_code ignored;
+    std::string call =
+      quoted(std::filesystem::read_symlink("/proc/self/exe", ignored)) + " " +
+      quoted(std::filesystem::absolute(command.parameter_file));
     for (const std::string &text : command.overrides)
-      call += " --set \"" + text + "\"";
-    return call;
+      call += " --set " + quoted(text);
+    return call + " --output " +
+           quoted(std::filesystem::absolute(command.output_folder));
   }
 
 

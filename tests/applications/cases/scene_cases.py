@@ -6,6 +6,7 @@ import json
 import os
 import re
 import signal
+import subprocess
 import time
 
 import numpy
@@ -86,6 +87,16 @@ def require_own_names(output):
                 f"entries of what was taken for granted: {found}")
 
 
+def require_repeatable(output):
+    """The line of scene.json calls the scene from any folder, with all that was
+    asked for: a finished one is left as it is."""
+    line = read_json(output, "scene.json")["command"]
+    found = subprocess.run(["bash", "-c", line], cwd="/", capture_output=True,
+                           text=True, check=False)
+    require(found.returncode == 0 and "finished before" in found.stdout,
+            f"{line} gave {found.returncode}: {found.stdout}{found.stderr}")
+
+
 def scene_run(case, check_bound, read_summary):
     """Every stage runs and keeps the bounds of the biomechanics summary; with
     other entries, stages whose inputs are the same are taken as they are."""
@@ -101,6 +112,7 @@ def scene_run(case, check_bound, read_summary):
     require(max(masses) < 1.05 * min(masses), f"body masses are {masses} kg")
     require_charge(output)
     require_own_names(output)
+    require_repeatable(output)
     loads = os.stat(os.path.join(output, "blast", "loads.h5")).st_mtime_ns
     case.run(output, ["--resume", "--set", "Scene/Report=false"])
     require(statuses(output) == dict.fromkeys(ALL_STAGES, "reused"),
