@@ -24,7 +24,8 @@ from plot import command_line  # noqa: E402
 
 CHECKS = (report_figures.check_facts, report_figures.check_injury,
           report_figures.check_headline, report_figures.check_tables,
-          report_figures.check_gauges,
+          report_figures.check_gauges, report_figures.check_events,
+          report_figures.check_summary_file,
           report_figures.check_conservation, report_figures.check_free_air,
           report_figures.check_audit, report_figures.check_differences,
           report_figures.check_mesh, report_figures.check_cost)
@@ -59,7 +60,7 @@ class FiguresTest(unittest.TestCase):
         return sum(check(page, self.files) for check in CHECKS)
 
     def test_accepts(self):
-        self.assertEqual(self.judge(self.page), 170)
+        self.assertEqual(self.judge(self.page), 200)
 
     def rejects_each(self, pattern, least, until=""):
         """Every number in what a pattern's group matches before a text."""
@@ -82,6 +83,9 @@ class FiguresTest(unittest.TestCase):
     def test_rejects_the_answer(self):
         self.rejects_each('<p(?: class="verdict")?>([^<]*)</p>', 6, "<nav>")
         self.rejects_each("<li>([^<]*)</li>", 11, "<nav>")
+
+    def test_rejects_events(self):
+        self.rejects_each('data-label="values">(peak [^<]*)</td>', 8)
 
     def test_rejects_places(self):
         self.rejects_each('data-label="(?:arrival|peak|impulse|positive phase|'

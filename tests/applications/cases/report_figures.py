@@ -13,7 +13,7 @@ import statistics
 
 import report_reader
 from report_reader import require_same
-from summaries import values_of
+from summaries import flaw_of, values_of
 
 STAGES = ("anatomy", "blast", "biomechanics")
 COARSER = ("coarser_blast", "coarser_biomechanics")
@@ -114,9 +114,14 @@ class Files:
             name: value
             for value, name in of_skin(skin, self.side).values()})
 
-        path = os.path.join(output, COARSER[0], "summary.json")
-        self.coarser_results = values_of(read_json(path), "results") \
-            if os.path.exists(path) else {}
+        paths = [os.path.join(output, stage, "summary.json")
+                 for stage in COARSER]
+        coarser = [read_json(path) if os.path.exists(path) else {}
+                   for path in paths]
+        self.coarser_results = values_of(coarser[0], "results")
+        self.warnings = {text for told in (
+            self.scene, *self.summary.values(), *coarser)
+            for text in told.get("warnings", [])}
 
     def error_of_result(self, name):
         """Relative error of what the blast found at its first probe, None if
@@ -162,7 +167,7 @@ def check_report(output):
     files = Files(output)
     page = report_reader.read(os.path.join(output, "report.html"))
     checks = (check_facts, check_injury, check_headline, check_tables,
-              check_gauges,
+              check_gauges, check_events, check_summary_file, check_log,
               check_conservation, check_audit, check_free_air,
               check_differences, check_energy, check_mesh, check_cost)
     count = sum(check(page, files) for check in checks)
@@ -247,10 +252,10 @@ def check_injury(page, files):
 def require_chance(text, value, what):
     """A value in words; of a probability, words for what is nearly 0 or 1."""
     if text.startswith("less than"):
-        require(text.startswith("less than 0.1 %") and 0. < value < 0.001,
+        require(text.startswith("less than 0.1 %") and 0. <= value < 0.001,
                 f"{what} is {value}, not {text}")
     elif text.startswith("more than"):
-        require(text.startswith("more than 99 %") and 0.99 < value < 1.,
+        require(text.startswith("more than 99 %") and 0.99 < value <= 1.,
                 f"{what} is {value}, not {text}")
     else:
         require_same(text, value, what)
@@ -348,8 +353,8 @@ def check_differences(page, files):
 def check_headline(page, files):
     """Every number of the answer and of what could change it is known, and none
     is left over."""
-    explosive = files.scene["explosive"]
-    text = page.answer.replace(explosive.upper(), "").replace(explosive, "")
+    text = re.sub(re.escape(files.scene["explosive"]), "", page.answer,
+                  flags=re.I)
     number, rows = report_reader.NUMBER, expected_injuries(files)
     wanted = [
         (rf"({number} \w*) of  ?detonates", files.scene["charge_mass"]),
@@ -365,9 +370,7 @@ def check_headline(page, files):
         text = re.sub(r"(?<=by this run, )[^)]*(?= by the tables)|"
                       r"(?<=death with a probability of ).*?(?=, where)|"
                       r"(?<=where this run has ).*?(?=\. Trust)", "…", text)
-    for warning in files.scene.get("warnings", []) + [
-            text for summary in files.summary.values()
-            for text in summary.get("warnings", [])]:
+    for warning in files.warnings:
         text = text.replace(warning, "…")
     text, count = _without_chances(text, chances, rows, files)
     text = re.sub(r"\b(?:HIC15|CSDM15|CSDM25)\b|in \d+ % of cases|AIS [234]|"
@@ -592,6 +595,83 @@ def _check_gauge_errors(rows, files):
                 require_same(told.lstrip("± "), error, f"{row}")
             count += 1
     return count
+
+
+def check_events(page, files):
+    """What is told of a place at several places of the report is the same."""
+    if not files.gauges:
+        return 0
+    events = page.table("Events over time").records()
+    tissues = {row["place"]: row for row in page.table(
+        "Histories in the tissue").records()}
+    count = 0
+    for row in events:
+        place = row["event"].partition(":")[0]
+        if place in files.places:
+            told = re.fullmatch("peak (.*), impulse (.*)", row["values"])
+            measures = files.places[place]
+            for shown, name in zip((row["time"], *told.groups()),
+                                   ("arrival", "peak", "impulse")):
+                require_same(shown, measures[name], f"{place}, {name}")
+        elif place in tissues:
+            told = re.search("; (.*) to (.*) over the whole run",
+                             row["values"])
+            for shown, name in zip(told.groups(), ("minimum", "maximum")):
+                value, half = report_reader.quantity(_with_unit(
+                    "[kPa]", tissues[place][f"{name} pressure [kPa]"]))
+                other, more = report_reader.quantity(shown)
+                require(abs(other - value) <= half + more,
+                        f"{place}: {shown}, {tissues[place]}")
+        else:
+            continue
+        count += 3
+    return count
+
+
+def check_summary_file(page, files):
+    """report.json has the values of the files, the sentence and the
+    reservations of the page, and the screen's lines are headline.txt."""
+    found = read_json(files.output, "report.json")
+    flaw = flaw_of(os.path.join(files.output, "report.json"))
+    require(not flaw, f"report.json: {flaw}")
+    expected = {title: value for title, (value, _)
+                in expected_injuries(files).items()}
+    told = {entry["title"]: entry["value"] for entry in found["measures"]}
+    require(told == expected, f"report.json has {told}, the files {expected}")
+    for entry in found["measures"] + found["verdicts"]:
+        if entry["least"] is not None:
+            require(entry["least"] <= entry["value"] <= entry["largest"],
+                    f"bounds of {entry}")
+    for text in [found["headline"], found["scene"], *found["reservations"],
+                 *(entry["text"] for entry in found["warnings"])]:
+        require(text.replace("\u00a0", " ") in page.answer,
+                f"the page does not say «{text}»")
+    with open(os.path.join(files.output, "headline.txt"),
+              encoding="utf-8") as file:
+        require(file.read().splitlines() == found["text"], "headline.txt")
+    require(files.warnings == {entry["text"] for entry in found["warnings"]},
+            f"report.json has other warnings than {files.warnings}")
+    return len(told) + len(found["warnings"])
+
+
+def check_log(_, files):
+    """Figures of the screen are those of the files: the body's energy, and what
+    is missing of it."""
+    path = os.path.join(files.output, "biomechanics", "log.txt")
+    if not os.path.exists(path):
+        return 0
+    with open(path, encoding="utf-8") as file:
+        told = re.findall(r"energy: (\S+) J kinetic, (\S+) J internal, work of "
+                          r"loads (\S+) J, missing (\S+) %", file.read())
+    last = read_rows(files.output, "biomechanics", "history.csv")[-1]
+    known = [float(last["kinetic_energy [J]"]), None,
+             float(last["external_work [J]"]),
+             100. * abs(values_of(files.summary["biomechanics"],
+                                  "checks")["energy_residual"])]
+    for shown, value in zip(told[-1], known):
+        require(value is None or abs(float(shown) - value)
+                <= 5e-3 * abs(value), f"the log has {told[-1]}, not {known}")
+    return 3
 
 
 def check_conservation(page, files):
