@@ -33,8 +33,11 @@ h3 { font-size: 16px; margin: 22px 0 6px; }
 p, li { max-width: 78ch; }
 .sub { color: var(--soft); margin: 0 0 18px; }
 .verdict { font-size: 23px; line-height: 1.3; font-weight: 600; }
-.first { display: grid; grid-template-columns: 400px 1fr; gap: 0 24px; }
+.first { display: grid; grid-template-columns: 400px minmax(0, 1fr);
+         gap: 0 24px; }
 .first figure { margin-top: 0; }
+.first td.number { white-space: normal; }
+@media screen and (max-width: 1000px) { .first { display: block; } }
 .doubts { font-size: 14.5px; }
 .doubts ul { padding-left: 20px; margin: 4px 0; }
 .answer { background: var(--pale); border-left: 5px solid var(--accent);
@@ -76,7 +79,6 @@ details summary { cursor: pointer; color: var(--accent); }
   h1 { font-size: 25px; }
   .answer { padding: 8px 14px; font-size: 16px; }
   td, td.number { white-space: normal; overflow-wrap: anywhere; }
-  .first { display: block; }
   .verdict { font-size: 19px; }
   /* A touch of a picture shows it in its own size, in which it scrolls. */
   .picture { cursor: zoom-in; }
