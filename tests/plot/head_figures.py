@@ -125,6 +125,8 @@ def check_headline(page, files):
         (rf"The run ends after ({number} ms)", history["time"][-1]),
         (rf"strained by less than ({number} %)",
          files.injury["injury_strain_95"])]
+    if "injury_hic15" in files.injury:
+        wanted.append((rf"HIC15 is ({number})", files.injury["injury_hic15"]))
     for layer, words in (("CSF", "The CSF's pressure"),
                          ("brain", "The brain's")):
         wanted += [

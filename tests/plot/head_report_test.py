@@ -27,7 +27,8 @@ import head_figures  # noqa: E402 (after the paths of the modules)
 import report_reader  # noqa: E402
 from plot import command_line  # noqa: E402
 from plot.readers import cuts, head_run  # noqa: E402
-from plot.report import page as html_page  # noqa: E402
+from plot.report import (head_paper, head_report,  # noqa: E402
+                         page as html_page)
 
 OUTPUT = None
 # Columns of tables whose figures are all checked, by section.
@@ -201,6 +202,19 @@ class CutTest(unittest.TestCase):
             circle = part * np.pi * (0.091**2 - 0.0123**2)
             self.assertLess(self.area(polygons), circle)
             self.assertGreater(self.area(polygons), 0.97 * circle)
+
+    def test_published_impact(self):
+        """Only the published speed and the shipped sizes are those of the
+        paper; an oblique impact is told with both speeds."""
+        run = head_run.HeadRun(OUTPUT)
+        if not run.is_layered():
+            self.skipTest("another body than the paper's")
+        self.assertTrue(head_paper.applies(run))
+        run.history.values[:, run.history.names.index("momentum_x")] = \
+            0.5 * run.history["momentum_z"]
+        self.assertFalse(head_paper.applies(run))
+        self.assertEqual(head_report._impact_speed(run).replace(
+            "\u00a0", " "), "3.35 m/s, of which 3.00 m/s are towards the plane")
 
     def test_wedge(self):
         """The middle of a wedge is its section."""

@@ -91,8 +91,7 @@ def answer(run, judged):
     mass = float(run.history["mass"][0])
     text = [f"A head of {page.quantity(mass, 'kg')}"]
     if run.planes:
-        speed = -float(run.normal_velocity()[0])
-        text[0] += (f" hits a rigid plane at {page.quantity(speed, 'm/s')}.")
+        text[0] += f" hits a rigid plane at {_impact_speed(run)}."
         rebound, end = run.rebound(), run.last_contact()
         force, when = largest_force(run)
         text.append(
@@ -120,6 +119,11 @@ def answer(run, judged):
                     f"{page.number(100. * strain.value)}\u00a0%"
                     + (f", which means: {strain.meaning()}."
                        if strain.meaning() else "."))
+    hic = injury_table.find(judged, "injury_hic15")
+    if hic is not None:
+        text.append(f"HIC15 is {page.number(hic.value)}"
+                    + (f", above the {hic.meaning()}." if hic.meaning()
+                       else ", below all limits."))
     end = float(run.history["time"][-1])
     return page.tag(
         "div", page.paragraph(" ".join(text)), page.paragraph(
@@ -127,6 +131,17 @@ def answer(run, judged):
             "values are those of single cells, of the rows of history.csv; the "
             "error that the mesh makes has not been estimated."),
         kind="answer")
+
+
+def _impact_speed(run):
+    """Speed at the start, and the part of it towards the plane where that is
+    less."""
+    speed = float(np.linalg.norm([run.history[f"momentum_{axis}"][0]
+                                  for axis in "xyz"]) / run.history["mass"][0])
+    normal = -float(run.normal_velocity()[0])
+    return page.quantity(speed, "m/s") + (
+        "" if normal > 0.999 * speed else
+        f", of which {page.quantity(normal, 'm/s')} are towards the plane")
 
 
 def scene(run):
@@ -185,6 +200,9 @@ def _thickness(run, name):
         thickness = run.parameter(f"Mesh/{entry} thickness")
         if entry.lower() == layer and thickness:
             cells = run.parameters.get(f"Mesh/{entry} cells", "–")
+            if run.has_particles():
+                size = (run.parameter("MPM/Cell size") or [np.nan])[0]
+                cells = page.number(thickness[0] / size, 2)
             return f"{1e3 * thickness[0]:g} mm thick, {cells} cells across"
     return "–"
 
@@ -422,8 +440,8 @@ def measures(run):
 def injury(run, judged):
     """The injury table."""
     if not judged:
-        return [page.missing("injury.csv: the run has neither a brain nor a "
-                             "skull that Injury/Brain and Injury/Skull name")]
+        return [page.missing("injury.csv, without which there are no measures "
+                             "of injury")]
     told = ("Of the brain's cells and the skull's mean motion, from "
             "injury.csv.")
     if run.mirrors:
