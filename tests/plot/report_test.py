@@ -318,7 +318,8 @@ class ReportTest(unittest.TestCase):
         self.expect(self.text, "lung injury trace to moderate (by the numerics "
                     "trace to extensive)", "6.63 m/s", "10.8 m/s",
                     "Eardrums probably rupture (79 %, by the numerics 58 to "
-                    "89 %)", "79 % 58 to 89 %", "peak 175 kPa", "0.264")
+                    "89 %, by the tables 95 %)", "79 % 58 to 89 %",
+                    "peak 175 kPa", "0.264")
         # The probe in the air is not where the body is.
         self.assertNotIn("free-field load", self.text)
         self.assertNotIn("urvives", self.text)
@@ -420,14 +421,20 @@ class ReportTest(unittest.TestCase):
                 ("lung_lethality", 0.3, "may die of lung injury"),
                 ("lung_lethality", 0.995, "almost certainly dies"),
                 ("ear_rupture_left ear", 0.01, "eardrums stay intact"),
-                ("ear_rupture_left ear", 0.2, "eardrums may rupture"),
+                ("ear_rupture_left ear", 0.2, "eardrums may rupture (20\u00a0%, "
+                 "numerical error unknown, by the tables 50 to 90\u00a0%)"),
+                ("ear_rupture_left ear", 0.6, "eardrums probably rupture (60"
+                 "\u00a0%, numerical error unknown)"),
                 ("chest_wall_mean", 2., "no lung injury"),
                 ("chest_wall_mean", 14., "lung injury severe")):
             known = injury_thresholds.KNOWN[
                 "ear_rupture" if place.startswith("ear") else place]
-            scene = types.SimpleNamespace(table_answer=lambda _: (None, None))
+            scene = types.SimpleNamespace(
+                table_answer=lambda name: (0.5, 0.9)
+                if name == "eardrum_rupture" else (None, None))
             found = verdict.verdicts(scene, [injury_table.Judged(
-                place, value, "-", known, None, "")])
+                place, value, "-", known, None, "", curve="given",
+                of=0.)])
             self.assertIn(words, str(found[0]))
 
     def test_warnings(self):

@@ -24,6 +24,7 @@ COMPARED = {"peak_overpressure": "incident peak overpressure",
             "arrival": "arrival", "lung_exposure": KNOWN["lung_exposure_air"][0],
             "lung_lethality": KNOWN["lung_lethality"][0],
             "eardrum_rupture": "rupture probability of an eardrum in the open"}
+CHANCES = ("lung_lethality", "eardrum_rupture")
 MOST_LINES = 3  # of what could change the verdict, in the text version
 
 
@@ -120,7 +121,7 @@ def _compared(scene):
     rows = []
     for row in scene.list_of("table_comparison"):
         name, unit = str(row.get("name")), row.get("unit") or "-"
-        is_chance = name in ("lung_lethality", "eardrum_rupture")
+        is_chance = name in CHANCES
         cells = [_with_error(row.get(key), unit, is_chance,
                              row.get(f"{key}_error"))
                  for key in ("run", "tables")]
@@ -184,12 +185,15 @@ def _tables(scene, judged):
     for row in scene.list_of("table_comparison"):
         here, known = (files.as_number(row.get(key))
                        for key in ("run", "tables"))
-        name = row.get("name")
-        if row.get("differs") and here is not None and known \
-                and not str(name).startswith(("lung", "eardrum")):
+        if not row.get("differs") or here is None or not known:
+            continue
+        words = COMPARED.get(row.get("name"), str(row.get("name")))
+        if row.get("name") in CHANCES:
+            differing.append(f"the {words} is {page.chance(here)}, not the "
+                             f"{page.chance(known)} of")
+        elif row.get("name") != "lung_exposure":
             change = here / known - 1.
-            differing.append(f"the {COMPARED.get(name, name)} is "
-                             f"{page.percent(abs(change))} "
+            differing.append(f"the {words} is {page.percent(abs(change))} "
                              + ("below" if change < 0. else "above"))
     if differing:
         parts.append(

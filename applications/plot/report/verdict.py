@@ -33,7 +33,7 @@ class Verdict:
 
 def verdicts(scene, judged):
     """All that the scene allows, in the order of the sentence."""
-    return [found for found in (_life(scene, judged), _ears(judged),
+    return [found for found in (_life(scene, judged), _ears(scene, judged),
                                 _lungs(judged), _brain(judged)) if found]
 
 
@@ -89,21 +89,34 @@ def _life(scene, judged):
     return Verdict("life", words, kind, detail, entry)
 
 
-def _ears(judged):
+def _by_the_tables(scene, ears):
+    """What the tables say of eardrums in the open and before a wall, where the
+    bounds of no ear reach that; else ""."""
+    known = scene.table_answer("eardrum_rupture")
+    if None in known or any(
+            bound[1] >= known[0] and bound[0] <= known[1]
+            for bound in (entry.bounds() or 2 * (entry.value,)
+                          for entry in ears)):
+        return ""
+    return f", by the tables {page.interval(*known)}"
+
+
+def _ears(scene, judged):
     """One verdict, or one for each ear where these differ."""
     ears = [entry for entry in judged if entry.name.startswith("ear_")]
     if not ears:
         return None
     worst = max(ears, key=lambda entry: entry.value)
-    kind = injury_table.severity(worst)
+    kind, tables = injury_table.severity(worst), _by_the_tables(scene, ears)
     words = [_word(EARS, entry.value) for entry in ears]
     if len(ears) > 1 and len(set(words)) > 1:
         sides = [entry.name[len("ear_rupture_"):].split()[0] for entry in ears]
         parts = [f"{side} eardrum {_singular(word)} ({entry.shown()}"
-                 f"{_by_the_numerics(entry)})" for side, word, entry
+                 f"{_by_the_numerics(entry)}{tables})" for side, word, entry
                  in zip(sides, words, ears)]
         return Verdict("eardrums", ", ".join(parts), kind, "", worst)
-    figures = {entry.shown() + _by_the_numerics(entry) for entry in ears}
+    figures = {entry.shown() + _by_the_numerics(entry) + tables
+               for entry in ears}
     return Verdict("eardrums", "eardrums " + words[0], kind, " and ".join(
         sorted(figures)), worst)
 

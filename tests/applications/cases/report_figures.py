@@ -365,11 +365,7 @@ def check_headline(page, files):
                in files.person().items()]
     chances = [value[0] for value in rows.values()
                if value[1].endswith("ear") or value[1] == "lung_lethality"]
-    death = files.scene.get("tables", {}).get("answer")
-    if death:
-        text = re.sub(r"(?<=by this run, )[^)]*(?= by the tables)|"
-                      r"(?<=death with a probability of ).*?(?=, where)|"
-                      r"(?<=where this run has ).*?(?=\. Trust)", "…", text)
+    text = _without_tables(text, files)
     for warning in files.warnings:
         text = text.replace(warning, "…")
     text, count = _without_chances(text, chances, rows, files)
@@ -416,6 +412,30 @@ def check_tables(page, files):
             if shown and "more than" not in shown:
                 require_same(shown, error, f"error of {name}")
     return 4 * len(rows)
+
+
+def _without_tables(text, files):
+    """The answer without what it tells of the tables' probabilities, which are
+    those of scene.json."""
+    answer = files.scene.get("tables", {}).get("answer")
+    told = re.search(r", by the tables (.*?)(?:| to (.*?)) ?%(?=\))", text)
+    if told and told[2]:
+        for shown, place in zip(told.groups(), ("in_the_open",
+                                                "before_a_wall")):
+            require_same(shown + " %", answer[place]["eardrum_rupture"],
+                         "eardrums by the tables")
+    text = re.sub(r", by the tables .*?%(?=\))", "", text)
+    for row in files.scene.get("table_comparison", []):
+        for match in re.findall(r"eardrum in the open is (.*?), not the (.*?) "
+                                "of", text) * (row["name"]
+                                               == "eardrum_rupture"):
+            require_chance(match[0], row["run"], row["name"])
+            require_chance(match[1], row["tables"], row["name"])
+    text = re.sub(r"(?<=in the open is ).*?(?= of)|"
+                  r"(?<=lung injury is ).*?(?= of)", "…", text)
+    return re.sub(r"(?<=by this run, )[^)]*(?= by the tables)|"
+                  r"(?<=death with a probability of ).*?(?=, where)|"
+                  r"(?<=where this run has ).*?(?=\. Trust)", "…", text)
 
 
 def _without_chances(text, chances, rows, files):
