@@ -73,7 +73,6 @@ namespace
 
   TntEquivalence tnt_equivalence(const Row &row)
   {
-    constexpr double tnt_energy = 4.184e6; // [J/kg], by convention
     if (row.name.compare(0, 3, "tnt") == 0)
       return {1., 1., true, "TNT"};
     if (row.name == "c-4")

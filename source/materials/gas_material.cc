@@ -2,88 +2,11 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/parameters/parameters.h>
-#include <contrecoup/materials/explosives.h>
+#include <contrecoup/materials/custom_explosive.h>
 #include <contrecoup/materials/gas_material.h>
-#include <contrecoup/materials/jwl_check.h>
 
 namespace contrecoup
 {
-namespace
-{
-  void declare_custom_explosive(ParameterHandler &prm)
-  {
-    const Section section(prm, "Custom explosive");
-    const double largest = 1e15;
-    declare_double(prm, "A", "373.8e9", 0., largest, "Pa", "JWL constant A.");
-    declare_double(prm,
-                   "B",
-                   "3.747e9",
-                   -largest,
-                   largest,
-                   "Pa",
-                   "JWL constant B; negative only if the sound speed stays "
-                   "real as the products expand or, without energy release, "
-                   "as the explosive is compressed.");
-    declare_double(prm, "R1", "4.15", 1e-3, 1e3, "-", "JWL constant R1.");
-    declare_double(prm, "R2", "0.9", 1e-3, 1e3, "-", "JWL constant R2.");
-    declare_double(prm, "Omega", "0.35", 1e-3, 10., "-", "JWL constant omega.");
-    declare_double(prm,
-                   "Density",
-                   "1630",
-                   1e-6,
-                   1e6,
-                   "kg/m^3",
-                   "Density of the unburned explosive.");
-    declare_double(prm,
-                   "Energy density",
-                   "6.0e9",
-                   0.,
-                   largest,
-                   "J/m^3",
-                   "Energy E_0 released per volume of unburned explosive.");
-    declare_double(prm,
-                   "Specific heat",
-                   "613.5",
-                   1e-6,
-                   1e9,
-                   "J/(kg K)",
-                   "c_v of the products, which weights their mixture with "
-                   "air and gives the temperature.");
-    declare_double(prm,
-                   "Detonation speed",
-                   "0",
-                   0.,
-                   1e6,
-                   "m/s",
-                   "Published detonation speed, compared with that of the "
-                   "constants where charges burn; 0: none.");
-    declare_double(
-      prm,
-      "Detonation pressure",
-      "0",
-      0.,
-      largest,
-      "Pa",
-      "Published Chapman-Jouguet pressure, compared likewise; 0: none.");
-  }
-
-  JwlParameters read_custom_explosive(ParameterHandler &prm)
-  {
-    const Section section(prm, "Custom explosive");
-    JwlParameters jwl;
-    jwl.A = read_double(prm, "A");
-    jwl.B = read_double(prm, "B");
-    jwl.R1 = read_double(prm, "R1");
-    jwl.R2 = read_double(prm, "R2");
-    jwl.omega = read_double(prm, "Omega");
-    jwl.reference_density = read_double(prm, "Density");
-    jwl.energy_density = read_double(prm, "Energy density");
-    jwl.specific_heat = read_double(prm, "Specific heat");
-    require_real_sound_speed(jwl, "Material/Custom explosive");
-    return jwl;
-  }
-} // namespace
-
 GasMaterial::GasMaterial(const Model &model)
   : model_(model)
 {}
@@ -133,7 +56,8 @@ void GasMaterial::declare_parameters(ParameterHandler &prm)
                     explosives,
                     "JWL constants from the library, or those of subsection "
                     "Custom explosive.");
-  declare_custom_explosive(prm);
+  const Section custom(prm, "Custom explosive");
+  CustomExplosive::declare_parameters(prm);
 }
 
 void GasMaterial::parse_parameters(ParameterHandler &prm)
@@ -151,9 +75,7 @@ void GasMaterial::parse_parameters(ParameterHandler &prm)
       gamma, read_double(prm, "Stiffening pressure"), gas_constant);
   else
   {
-    const std::string name = prm.get("Explosive");
-    explosive_ =
-      name == "custom" ? read_custom_explosive(prm) : find_explosive(name).jwl;
+    explosive_ = read_explosive(prm).jwl;
     model_ = equation == "jwl"
                ? MieGrueneisen::jwl(explosive_)
                : MieGrueneisen::jwl_in_air(explosive_, gamma, gas_constant);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/base/parameters/parameter_tree.h>
 #include <contrecoup/base/system/exceptions.h>
-#include <contrecoup/materials/explosives.h>
+#include <contrecoup/materials/custom_explosive.h>
 #include <contrecoup/materials/mie_grueneisen.h>
 
 #include <gtest/gtest.h>
@@ -158,4 +159,51 @@ TEST(Explosives, ReleaseNoMoreByAfterburnThanByCombustion)
   EXPECT_EQ(find_explosive("tnt").afterburn.energy, 3.5e6);
   EXPECT_EQ(find_explosive("anfo").afterburn.energy, 0.);
   EXPECT_NEAR(find_explosive("anfo").tnt.impulse, 2.484 / 0.931 / 4.184, 1e-12);
+}
+
+
+namespace
+{
+CustomExplosive custom_with(const std::vector<std::string> &lines)
+{
+  dealii::ParameterHandler prm;
+  CustomExplosive::declare_parameters(prm);
+  std::vector<Assignment> assignments;
+  for (const std::string &line : lines)
+    assignments.push_back(parse_override(line));
+  apply_assignments(assignments, prm);
+  CustomExplosive custom;
+  custom.parse_parameters(prm, "Charge/Custom explosive");
+  return custom;
+}
+} // namespace
+
+TEST(CustomExplosive, KeepsWhatDoesNotDependOnTheChange)
+{
+  const CustomExplosive same = custom_with({"Like=c-4"});
+  EXPECT_TRUE(same.changes.empty());
+  EXPECT_EQ(same.explosive.detonation_speed, 8193.);
+  EXPECT_EQ(same.explosive.tnt.pressure, 1.37);
+  EXPECT_TRUE(same.explosive.tnt.is_published);
+
+  const CustomExplosive stiffer = custom_with({"Like=c-4", "A=650e9"});
+  ASSERT_EQ(stiffer.changes.size(), 1U);
+  EXPECT_EQ(stiffer.changes[0].entry, "A");
+  EXPECT_EQ(stiffer.changes[0].before, find_explosive("c-4").jwl.A);
+  // The published speed is that of the published constants.
+  EXPECT_EQ(stiffer.explosive.detonation_speed, 0.);
+  EXPECT_EQ(stiffer.explosive.tnt.pressure, 1.37);
+}
+
+TEST(CustomExplosive, TakesTheEquivalenceFromItsEnergy)
+{
+  const CustomExplosive weak =
+    custom_with({"Like=c-4", "Energy density=6.7e9"});
+  const double energy = 6.7e9 / 1601.;
+  EXPECT_NEAR(weak.explosive.tnt.pressure, energy / 4.184e6, 1e-12);
+  EXPECT_FALSE(weak.explosive.tnt.is_published);
+  const Explosive &c4 = find_explosive("c-4");
+  EXPECT_NEAR(weak.explosive.afterburn.largest + energy,
+              c4.afterburn.largest + 9e9 / 1601.,
+              1.);
 }

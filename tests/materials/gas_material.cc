@@ -83,6 +83,26 @@ TEST(GasMaterial, ReadsCustomConstantsInFullPrecision)
   EXPECT_EQ(jwl.specific_heat, 613.51234567891);
 }
 
+TEST(GasMaterial, ChangesTheEntriesThatAreGivenAlone)
+{
+  const GasMaterial material =
+    parse("set Equation of state = jwl\nset Explosive = custom\n"
+          "subsection Custom explosive\n"
+          "  set Like = c-4\n  set Density = 1650\nend\n");
+  JwlParameters expected = find_explosive("c-4").jwl;
+  expected.reference_density = 1650.;
+  const JwlParameters &jwl = material.explosive();
+  EXPECT_EQ(jwl.reference_density, 1650.);
+  for (const auto number : {&JwlParameters::A,
+                            &JwlParameters::B,
+                            &JwlParameters::R1,
+                            &JwlParameters::R2,
+                            &JwlParameters::omega,
+                            &JwlParameters::energy_density,
+                            &JwlParameters::specific_heat})
+    EXPECT_EQ(jwl.*number, expected.*number);
+}
+
 TEST(GasMaterial, AnswersAsItsModelDoes)
 {
   const GasMaterial material = parse("set Equation of state = jwl in air\n");

@@ -10,6 +10,9 @@
 
 namespace contrecoup
 {
+/// Energy of the detonation of TNT by convention [J/kg].
+inline constexpr double tnt_energy = 4.184e6;
+
 /// Mass of TNT per mass of an explosive that has the same blast in air.
 struct TntEquivalence
 {

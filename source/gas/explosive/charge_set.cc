@@ -8,7 +8,7 @@
 #include <contrecoup/gas/explosive/charge_set.h>
 #include <contrecoup/gas/explosive/charge_volume.h>
 #include <contrecoup/gas/state/primitive.h>
-#include <contrecoup/materials/explosives.h>
+#include <contrecoup/materials/custom_explosive.h>
 
 #include <deal.II/base/quadrature_lib.h>
 
@@ -19,21 +19,6 @@ namespace contrecoup::gas
 {
 namespace
 {
-  /// Explosive named in subsection "Material", with its published data.
-  Explosive read_explosive(ParameterHandler &prm, const JwlParameters &jwl)
-  {
-    const Section section(prm, "Material");
-    const std::string name = prm.get("Explosive");
-    if (name != "custom")
-      return find_explosive(name);
-    const Section custom(prm, "Custom explosive");
-    return {name,
-            jwl,
-            read_double(prm, "Detonation speed"),
-            read_double(prm, "Detonation pressure"),
-            ""};
-  }
-
   /// Whether two charges overlap: whether a point of a grid through charge @p
   /// a lies well within both.
   template <int dim>
@@ -98,7 +83,10 @@ void ChargeSet<dim>::parse_parameters(ParameterHandler &prm,
       "jwl, with an explosive that holds energy");
   density_ = material.reference_density();
   energy_density_ = density_ * material.reference_energy();
-  description_ = describe_detonation(read_explosive(prm, material.explosive()));
+  {
+    const Section section(prm, "Material");
+    description_ = describe_detonation(read_explosive(prm));
+  }
   const Section section(prm, "Charges");
   const ChapmanJouguetState front = chapman_jouguet(material.explosive());
   speed_ = read_double(prm, "Detonation speed");
