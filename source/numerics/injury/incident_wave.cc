@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/numerics/injury/incident_wave.h>
+
+#include <limits>
+
+namespace contrecoup
+{
+namespace
+{
+  constexpr double sea_level = 101325.; // [Pa]
+  constexpr double air_density = 1.225; // [kg/m^3]
+} // namespace
+
+
+IncidentWave::IncidentWave(const TntEquivalence &tnt,
+                           const double mass,
+                           const double energy)
+  : of_pressure_("spherical", tnt.pressure * mass)
+  , of_impulse_("spherical", tnt.impulse * mass)
+  , source_(energy, sea_level, air_density)
+{}
+
+
+const KingeryBulmash &IncidentWave::tables(const BlastQuantity quantity) const
+{
+  switch (quantity)
+  {
+    case BlastQuantity::impulse:
+    case BlastQuantity::reflected_impulse:
+    case BlastQuantity::duration:
+      return of_impulse_;
+    default:
+      return of_pressure_;
+  }
+}
+
+
+bool IncidentWave::is_tabulated(const BlastQuantity quantity,
+                                const double distance) const
+{
+  return tables(quantity).covers(quantity, distance);
+}
+
+
+double IncidentWave::value(const BlastQuantity quantity,
+                           const double distance) const
+{
+  if (is_tabulated(quantity, distance))
+    return tables(quantity).value(quantity, distance);
+  if (quantity == BlastQuantity::overpressure)
+    return source_.overpressure(distance);
+  if (quantity == BlastQuantity::arrival)
+    return source_.arrival(distance);
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+
+double IncidentWave::nearest_duration(double distance) const
+{
+  const double one = of_impulse_.scaling_length();
+  constexpr double step = 1.02;
+  while (!is_tabulated(BlastQuantity::duration, distance))
+    distance *= distance < one ? step : 1. / step;
+  return of_impulse_.value(BlastQuantity::duration, distance);
+}
+} // namespace contrecoup

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/numerics/injury/incident_wave.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace contrecoup;
+
+namespace
+{
+const TntEquivalence equivalence{1.37, 1.19, true, ""};
+const IncidentWave wave(equivalence, 2., 18e6);
+} // namespace
+
+TEST(IncidentWave, IsThatOfTheTablesWithBothEquivalences)
+{
+  const KingeryBulmash pressures("spherical", 2. * 1.37);
+  const KingeryBulmash impulses("spherical", 2. * 1.19);
+  for (const auto &[quantity, tables] :
+       {std::pair{BlastQuantity::overpressure, &pressures},
+        {BlastQuantity::reflected_overpressure, &pressures},
+        {BlastQuantity::arrival, &pressures},
+        {BlastQuantity::impulse, &impulses},
+        {BlastQuantity::reflected_impulse, &impulses},
+        {BlastQuantity::duration, &impulses}})
+  {
+    EXPECT_TRUE(wave.is_tabulated(quantity, 2.));
+    EXPECT_EQ(wave.value(quantity, 2.), tables->value(quantity, 2.));
+  }
+  EXPECT_EQ(wave.nearest_duration(2.),
+            impulses.value(BlastQuantity::duration, 2.));
+}
+
+// The tables end at 40 m per cube root of the mass in kg.
+TEST(IncidentWave, IsThatOfThePointSourceBeyondTheTables)
+{
+  const ExpectedBlast source(18e6, 101325., 1.225);
+  const double far = 100.;
+  EXPECT_FALSE(wave.is_tabulated(BlastQuantity::overpressure, far));
+  EXPECT_EQ(wave.value(BlastQuantity::overpressure, far),
+            source.overpressure(far));
+  EXPECT_EQ(wave.value(BlastQuantity::arrival, far), source.arrival(far));
+  EXPECT_TRUE(std::isnan(wave.value(BlastQuantity::impulse, far)));
+  EXPECT_GT(wave.nearest_duration(far), wave.nearest_duration(2.));
+}
