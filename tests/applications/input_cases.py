@@ -145,6 +145,40 @@ def refused_other_files():
                        entry("Reference/Table", name)), reason)
 
 
+def refused_scenes():
+    """What contradicts itself between stages of a scene, or is nowhere."""
+    end = entry("Scene/End time", "0.005")
+    for path, value, message in [
+            ("Biomechanics/Time/End time", "0.01",
+             "Biomechanics/Time/End time = 0.01 s: the loads of the blast end "
+             "at 0.005 s (Scene/End time)"),
+            ("Blast/Time/End time", "0.002",
+             "the loads of the blast end at 0.002 s (Blast/Time/End time)"),
+            ("Blast/Time/End time", "0.0005",
+             "Blast/Time/End time = 0.0005 s: the blast reaches the body at"),
+            ("Blast/Domain/Dimension", "2", "needs Dimension = 3"),
+            ("Blast/Domain/Upper corner", "2.56, 2.56, 1.28",
+             "m it does not hold the body, which is from"),
+            ("Blast/Domain/Upper corner", "1.28, 2.56, 2.56",
+             "m it does not hold the charge, which is from"),
+            ("Blast/Probes/Points", "0, 50, 1", "is outside of the domain"),
+            ("Blast/Probes/Points", "0, 0.01, 1.2", "is in the body"),
+            ("Blast/Loads/Gauges", "nose: 1, 0, 1.6",
+             '"nose" at 1, 0, 1.6 m is'),
+            ("Biomechanics/Probes/Points", "1, 0, 1.6",
+             "Biomechanics/Probes/Points: 1, 0, 1.6 m is"),
+            ("Charge/Custom explosive/Density", "1650",
+             "set Charge/Explosive = custom")]:
+        yield (f"{path} = {value}", "scene",
+               shipped(SCENE, end, entry(path, value)), message)
+    custom = entry("Charge/Explosive", "custom")
+    yield ("explosive without a sound speed", "scene",
+           shipped(SCENE, custom,
+                   entry("Charge/Custom explosive/B", "-9e9")),
+           "Charge/Custom explosive: with B = -9e+09 Pa the sound speed is "
+           "not real")
+
+
 def accepted():
     """What is understood, and what is said of it."""
     sod = "\n".join(["include @FILES@/" + SOD, ""])
@@ -163,6 +197,22 @@ def accepted():
                    "set end time = 0.1", "end"),
            'line 4: entry "Time/End time" was set in line 3 already; the later '
            'value, "0.1", counts')
+    near = entry("Scene/End time", "0.005")
+    yield ("a wall of the user", "scene",
+           shipped(SCENE, near, entry("Blast/Boundaries/x low", "wall")),
+           "side_x_low")
+    yield ("an explosive of the user", "scene",
+           shipped(SCENE, near, entry("Charge/Explosive", "custom"),
+                   entry("Charge/Custom explosive/Name", "my mix"),
+                   entry("Charge/Custom explosive/Like", "c-4"),
+                   entry("Charge/Custom explosive/Density", "1650")),
+           "changed: Charge/Custom explosive/Density = 1650 kg/m^3, in the "
+           "library 1601 kg/m^3")
+    yield ("a small person who turns the right side to the charge", "scene",
+           shipped(SCENE, near, entry("Body/Phantom/Stature", "1.62"),
+                   entry("Body/Phantom/Mass", "58"),
+                   entry("Body/Rotation", "0, 0, 90")),
+           "before a standing person of 1.62 m and 58 kg")
     yield ("no entry", "blast", b"# nothing\n", "sets no entry")
 
 
@@ -253,6 +303,7 @@ def main(programs, repository):
     for cases, verdict_of in [(refused_files, judge_refusal),
                               (refused_entries, judge_refusal),
                               (refused_other_files, judge_refusal),
+                              (refused_scenes, judge_refusal),
                               (accepted, judge_acceptance)]:
         of_application = {}
         for case in cases():

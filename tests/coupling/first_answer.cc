@@ -20,7 +20,7 @@ std::vector<std::string> answer_for(const double mass)
 {
   SceneParameters scene;
   scene.accuracy = SceneParameters::accuracies[0];
-  scene.explosive = "tnt";
+  scene.explosive = find_explosive("tnt");
   scene.mass = mass;
   scene.place = Point<3>(2.15, 0., 1.);
   scene.end_time = 0.01;

@@ -53,7 +53,7 @@ TEST(TissuePlaces, LieInElementsOfTheirTissueWhateverTheirSize)
     LabelGrid grid = make_grid(body->surface()->bounding_box(), spacing);
     body->fill(grid);
     const auto places =
-      find_tissue_places(*body, dealii::Point<3>(2.5, 0., 1.27), spacing);
+      find_tissue_places(*body, dealii::Point<3>(2.5, 0., 1.27), {}, spacing);
     // Cubes of 20 mm hold no spinal cord and no bone before the brain.
     EXPECT_EQ(places.size(), spacing < 0.02 ? 7U : 5U) << spacing;
     for (const TissuePlace &place : places)

@@ -54,6 +54,7 @@ std::vector<Assignment> CoarserRun::blast(const dealii::ParameterHandler &prm)
       "First stage/Cell size",
       exact(cell_ratio * std::stod(values.at("First stage/Cell size")))));
   changes.push_back(change("Output/Fields", "false"));
+  changes.push_back(change("Output/Pictures", "false"));
   return changes;
 }
 

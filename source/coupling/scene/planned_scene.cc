@@ -6,15 +6,35 @@
 #include <contrecoup/base/system/log.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/base/system/version.h>
+#include <contrecoup/coupling/scene/first_answer.h>
 #include <contrecoup/coupling/scene/planned_scene.h>
-#include <contrecoup/coupling/scene/scene_plan.h>
 #include <contrecoup/io/run/plan_table.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace contrecoup::coupling
 {
-PlannedScene::PlannedScene(dealii::ParameterHandler &prm)
+namespace
+{
+  /// Distance between charge and skin in words. The nearest point of the skin
+  /// need not be where the line along -x meets it.
+  std::string distance_in_words(const SceneParameters &scene,
+                                const SceneLayout &layout)
+  {
+    const std::string nearest = brief(layout.distance);
+    const std::string along = brief(layout.distance_along_x);
+    std::string text = nearest + " m from the nearest skin";
+    if (!scene.place && std::isfinite(layout.distance_along_x) &&
+        along != nearest)
+      text += " (" + along + " m along -x)";
+    return text;
+  }
+} // namespace
+
+
+PlannedScene::PlannedScene(dealii::ParameterHandler &prm,
+                           const std::vector<Assignment> &wrote)
 {
   parameters_.parse_parameters(prm);
   {
@@ -24,8 +44,9 @@ PlannedScene::PlannedScene(dealii::ParameterHandler &prm)
   body_ = description_.create();
   layout_.emplace(parameters_, *body_->surface());
   parameters_.fit_elements(layout_->body);
-  find_body();
-  plan_ = scene_plan(parameters_, *layout_, body_mass_, has_lung());
+  find_body(prm);
+  sides_ = find_chosen_sides(wrote, *layout_);
+  plan_ = scene_plan(parameters_, *layout_, sides_, body_mass_, has_lung());
 }
 
 
@@ -38,16 +59,20 @@ bool PlannedScene::has_lung() const
 }
 
 
-void PlannedScene::find_body()
+void PlannedScene::find_body(dealii::ParameterHandler &prm)
 {
+  const Section section(prm, "Body");
   const double element_size = parameters_.element_size;
   try
   {
-    body_mass_ = body_kind() == "phantom" ? description_.reference_mass()
-                                          : estimate_mass(*body_, element_size);
+    body_mass_ =
+      body_kind() == "phantom"
+        ? std::pow(read_double(prm, "Scale"), 3) * description_.reference_mass()
+        : estimate_mass(*body_, element_size);
+    person_.emplace(prm, *body_, body_mass_, layout_->charge);
     if (parameters_.wants_injury())
-      tissue_places_ =
-        find_tissue_places(*body_, layout_->charge, element_size);
+      tissue_places_ = find_tissue_places(
+        *body_, layout_->charge, person_->axes(), element_size);
   }
   catch (const InputError &error)
   {
@@ -59,22 +84,52 @@ void PlannedScene::find_body()
 void PlannedScene::print() const
 {
   log_line("scene " + version() + " (" + git_revision() +
-           "): " + brief(parameters_.mass) + " kg of " + parameters_.explosive +
-           ", " + brief(layout_->distance) + " m from the " + body_kind() +
-           ", " + brief(layout_->charge[2]) + " m above the ground; cells of " +
+           "): " + brief(parameters_.mass) + " kg of " +
+           parameters_.explosive.name + " before " + person_->description() +
+           ", " + distance_in_words(parameters_, *layout_) + ", " +
+           brief(layout_->charge[2]) + " m above the ground; cells of " +
            brief(1e3 * layout_->cell_size()) + " mm at the skin" +
            (parameters_.wants_injury()
               ? ", elements of " + brief(1e3 * parameters_.element_size) + " mm"
               : ""));
+  if (person_->axes())
+  {
+    const double azimuth = std::round(person_->charge_azimuth());
+    log_line("  the charge is before the person's " +
+             person_->side_to_charge() + ", " + brief(std::abs(azimuth)) +
+             " degrees to the " + (azimuth < 0. ? "right" : "left") +
+             " of where the person faces");
+  }
+  const std::string equivalence = equivalence_in_words(parameters_.explosive);
   log_line(layout_->is_far(parameters_)
              ? "  expected in free air: the front reaches the body at " +
                  brief(1e3 * layout_->arrival, 3) + " ms with " +
-                 brief(1e-3 * layout_->overpressure, 3) + " kPa"
+                 brief(1e-3 * layout_->overpressure,
+                       layout_->overpressure < 1e6 ? 3 : 4) +
+                 " kPa" + (equivalence.empty() ? "" : " (" + equivalence + ")")
              : "  the front reaches the body before it has swept the charge's "
                "mass of air; what it has there is not known beforehand");
+  for (const ChangedEntry &change : parameters_.changes)
+    log_line("  changed: " + change.entry + " = " + change.value +
+             ", in the library " + change.before);
   for (const std::string &remark : body_->remarks())
     log_line("  " + remark);
   for (const std::string &line : io::plan_lines(plan_))
     log_line(line);
+}
+
+
+std::vector<std::string> PlannedScene::first_answer() const
+{
+  std::vector<std::string> walls;
+  for (const ChosenSide &side : sides_)
+    if (side.kind == "wall")
+      walls.push_back("the " + side.in_words(*layout_) + " (" + side.entry() +
+                      ")");
+  return coupling::first_answer(parameters_,
+                                *layout_,
+                                body_mass_,
+                                person_->description(),
+                                join(walls, " and "));
 }
 } // namespace contrecoup::coupling

@@ -2,7 +2,6 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/system/log.h>
-#include <contrecoup/coupling/scene/first_answer.h>
 #include <contrecoup/coupling/scene/planned_scene.h>
 #include <contrecoup/coupling/scene/scene_application.h>
 #include <contrecoup/coupling/scene/scene_run.h>
@@ -12,14 +11,15 @@ namespace contrecoup::coupling
 {
 namespace
 {
-  void print_estimate(dealii::ParameterHandler &prm, Collective &collective)
+  void print_estimate(const io::CommandLine &command,
+                      dealii::ParameterHandler &prm,
+                      Collective &collective)
   {
     collective.run(
       [&]() {
-        const PlannedScene scene(prm);
-        for (const std::string &line : first_answer(
-               scene.parameters(), scene.layout(), scene.body_mass()))
-          log_line(line);
+        const PlannedScene scene(prm, io::assignments_of(command, prm));
+        for (const std::string &line : scene.first_answer())
+          show_line(line);
       },
       ExitCode::bad_input);
   }
@@ -65,7 +65,7 @@ namespace
     }
     if (command.estimate)
     {
-      print_estimate(prm, collective);
+      print_estimate(command, prm, collective);
       return;
     }
     SceneRun run(command, prm, collective);

@@ -58,6 +58,12 @@ namespace
   }
 
 
+  std::string path_of(const Assignment &assignment)
+  {
+    return join(assignment.sections, "/") + "/" + assignment.entry;
+  }
+
+
   /// Centres of balls that cover the body and the region in front of it.
   std::vector<Point<3>> balls_near(const SceneLayout &layout,
                                    const double spacing)
@@ -160,14 +166,27 @@ namespace
   }
 
 
+  void set_explosive(const SceneParameters &scene, Entries &entries)
+  {
+    const bool is_custom = !scene.custom_entries.empty();
+    entries.set("Material/Explosive",
+                is_custom ? "custom" : scene.explosive.name,
+                "Charge/Explosive");
+    for (const auto &[entry, value] : scene.custom_entries)
+      entries.set("Material/Custom explosive/" + entry,
+                  value,
+                  "Charge/Custom explosive/" + entry);
+  }
+
+
   void set_charge(const SceneParameters &scene,
                   const SceneLayout &layout,
                   Entries &entries)
   {
-    const TntEquivalence &tnt = find_explosive(scene.explosive).tnt;
+    const TntEquivalence &tnt = scene.explosive.tnt;
     const std::string mass = "Charge/Mass", place = place_entry(scene);
     entries.set("Material/Equation of state", "jwl in air");
-    entries.set("Material/Explosive", scene.explosive, "Charge/Explosive");
+    set_explosive(scene, entries);
     entries.set("Charges/Charge 1/Mass", scene.mass, mass);
     entries.set("Charges/Charge 1/Center", text_of(layout.charge), place);
     entries.set("Charges/Afterburn/Kind",
@@ -177,9 +196,6 @@ namespace
       entries.set(
         "Charges/Afterburn/Energy", scene.afterburn, "Charge/Afterburn energy");
     set_first_stage(scene, layout, entries);
-    // An equivalence that was not measured would compare with a guess.
-    if (!tnt.is_published)
-      return;
     const std::string reference = "Reference/Kingery Bulmash/";
     entries.set("Reference/Kind", "kingery bulmash");
     entries.set(reference + "Mass", scene.mass, mass);
@@ -261,17 +277,6 @@ namespace
   }
 
 
-  /// Position beside the body at the body's distance from the charge.
-  std::string place_beside(const SceneLayout &layout)
-  {
-    const double aside = layout.body.upper_bound(1) + 0.35 - layout.charge[1];
-    const double along =
-      std::sqrt(std::max(0., std::pow(layout.distance, 2) - aside * aside));
-    const double toward = layout.body.center()[0] < layout.charge[0] ? -1. : 1.;
-    return text_of(layout.charge + Point<3>(toward * along, aside, 0.));
-  }
-
-
   void set_output(const double end_time,
                   const unsigned int n_fields,
                   Entries &entries)
@@ -326,8 +331,8 @@ std::vector<Assignment> blast_entries(const SceneParameters &scene,
   entries.set("Loads/Interval", scene.end_time / 2400., "Scene/End time");
   entries.set("Loads/Body mass", allowed_mass(body_mass));
   set_adaptation(scene, layout, entries);
-  if (layout.distance > layout.body.side_length(1))
-    entries.set("Probes/Points", place_beside(layout));
+  if (layout.probe)
+    entries.set("Probes/Points", text_of(*layout.probe));
   entries.set("Pictures/Planes", "y = " + exact(layout.charge[1]));
   entries.set("Pictures/Resolution", 640U);
   set_output(scene.end_time, 24, entries);
@@ -376,6 +381,35 @@ biomechanics_entries(const SceneParameters &scene,
 }
 
 
+std::string scene_text(const dealii::ParameterHandler &prm,
+                       const std::vector<Assignment> &wrote)
+{
+  dealii::ParameterHandler own;
+  SceneParameters::declare_own(own);
+  std::vector<Assignment> values;
+  for (const Assignment &assignment : assignments_of(prm))
+    if (!SceneParameters::is_of_stage(assignment))
+      values.push_back(assignment);
+  apply_assignments(values, own);
+  std::string text = parameter_text(own, false);
+  const std::map<std::string, std::string> all = parameter_values(prm);
+  for (const Assignment &assignment : wrote)
+    if (SceneParameters::is_of_stage(assignment))
+    {
+      std::string end;
+      for (const std::string &section : assignment.sections)
+      {
+        text += "\nsubsection " + section;
+        end += "\nend";
+      }
+      // With the absolute names of files.
+      text += "\nset " + assignment.entry + " = " +
+              all.at(path_of(assignment)) + end + "\n";
+    }
+  return text;
+}
+
+
 TaskText
 task_text(const std::string &name,
           const std::vector<Assignment> &entries,
@@ -412,6 +446,6 @@ task_text(const std::string &name,
   {
     throw InputError(words(error.what()));
   }
-  return {parameter_text(prm, false), words};
+  return {parameter_text(prm, false), words, parameter_values(prm)};
 }
 } // namespace contrecoup::coupling

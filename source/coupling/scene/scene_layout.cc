@@ -4,12 +4,11 @@
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/coupling/scene/scene_layout.h>
-#include <contrecoup/materials/explosives.h>
-#include <contrecoup/numerics/injury/kingery_bulmash.h>
 
 #include <boost/math/constants/constants.hpp>
 
 #include <cmath>
+#include <limits>
 #include <random>
 
 namespace contrecoup::coupling
@@ -53,27 +52,6 @@ namespace
   }
 
 
-  /// Positive phase at the nearest distance that the tables cover [s].
-  double phase_at(const SceneParameters &scene, double distance)
-  {
-    const KingeryBulmash blast(
-      "spherical", scene.mass * find_explosive(scene.explosive).tnt.impulse);
-    const double one = blast.scaling_length();
-    constexpr double step = 1.02;
-    while (!blast.covers(BlastQuantity::duration, distance))
-      distance *= distance < one ? step : 1. / step;
-    return blast.value(BlastQuantity::duration, distance);
-  }
-
-
-  double energy_of(const SceneParameters &scene)
-  {
-    const JwlParameters &jwl = find_explosive(scene.explosive).jwl;
-    return scene.mass *
-           (jwl.energy_density / jwl.reference_density + scene.afterburn);
-  }
-
-
   /// Volume of the unit ball.
   constexpr double ball = 4. / 3. * boost::math::double_constants::pi;
 
@@ -101,18 +79,18 @@ SceneLayout::SceneLayout(const SceneParameters &scene, const Shape &surface)
     throw InputError("Body: it reaches " + brief(-body.lower_bound(2)) +
                      " m below the ground z = 0; Body/Shift lifts it");
   charge_radius =
-    std::cbrt(scene.mass /
-              (ball * find_explosive(scene.explosive).jwl.reference_density));
+    std::cbrt(scene.mass / (ball * scene.explosive.jwl.reference_density));
   place_charge(scene, surface);
   choose_levels(scene);
   check_charge(scene);
   find_symmetry(scene, surface);
-  const ExpectedBlast blast(energy_of(scene), air_pressure, air_density);
+  place_probe();
+  const ExpectedBlast blast(scene.energy(), air_pressure, air_density);
   expect_front(scene, blast);
   const Point<3> image(charge[0], charge[1], -charge[2]);
   last_arrival = blast.arrival(farthest_distance(body, image));
   // The ground sends the charge's energy into one half of the air.
-  const ExpectedBlast outward(2. * energy_of(scene), air_pressure, air_density);
+  const ExpectedBlast outward(2. * scene.energy(), air_pressure, air_density);
   front_distance = outward.radius(scene.end_time);
   if (arrival >= scene.end_time)
     throw InputError("Scene/End time = " + brief(scene.end_time) +
@@ -153,6 +131,9 @@ void SceneLayout::place_charge(const SceneParameters &scene,
       charge = {high, 0., scene.height};
     }
   }
+  const auto skin = hit(surface, charge);
+  distance_along_x =
+    skin ? charge[0] - (*skin)[0] : std::numeric_limits<double>::quiet_NaN();
   distance = surface.distance(charge);
   // The projection of a point need not be its nearest place: that of a charge
   // behind the phantom is 0.8 % farther away.
@@ -166,7 +147,7 @@ void SceneLayout::place_charge(const SceneParameters &scene,
 
 void SceneLayout::choose_levels(const SceneParameters &scene)
 {
-  positive_phase = phase_at(scene, distance);
+  positive_phase = scene.incident_wave().nearest_duration(distance);
   levels = scene.accuracy.levels;
   const unsigned int most = levels + max_extra_levels;
   const auto is_coarse = [&]() {
@@ -189,23 +170,17 @@ void SceneLayout::choose_levels(const SceneParameters &scene)
 void SceneLayout::expect_front(const SceneParameters &scene,
                                const ExpectedBlast &blast)
 {
-  earliest_arrival = arrival = blast.arrival(distance);
-  overpressure = blast.overpressure(distance);
-  const TntEquivalence &tnt = find_explosive(scene.explosive).tnt;
-  const KingeryBulmash tables("spherical", scene.mass * tnt.pressure);
-  if (tnt.is_published && tables.covers(BlastQuantity::arrival, distance) &&
-      tables.covers(BlastQuantity::overpressure, distance))
-  {
-    arrival = tables.value(BlastQuantity::arrival, distance);
-    overpressure = tables.value(BlastQuantity::overpressure, distance);
-  }
+  earliest_arrival = blast.arrival(distance);
+  const IncidentWave wave = scene.incident_wave();
+  arrival = wave.value(BlastQuantity::arrival, distance);
+  overpressure = wave.value(BlastQuantity::overpressure, distance);
 }
 
 
 void SceneLayout::check_charge(const SceneParameters &scene) const
 {
   const std::string charge_of =
-    "the charge of " + brief(scene.mass) + " kg of " + scene.explosive +
+    "the charge of " + brief(scene.mass) + " kg of " + scene.explosive.name +
     " has a radius of " + brief(charge_radius) + " m";
   const auto largest_mass = [&](const double radius) {
     return brief(scene.mass * std::pow(radius / charge_radius, 3), 3) + " kg";
@@ -264,25 +239,43 @@ void SceneLayout::find_symmetry(const SceneParameters &scene,
 }
 
 
+void SceneLayout::place_probe()
+{
+  constexpr double gap = 0.35; // [m]
+  if (distance <= body.side_length(1))
+    return;
+  const double aside = body.upper_bound(1) + gap - charge[1];
+  const double along =
+    std::sqrt(std::max(0., distance * distance - aside * aside));
+  const double toward = body.center()[0] < charge[0] ? -1. : 1.;
+  probe = charge + Point<3>(toward * along, aside, 0.);
+}
+
+
 std::array<std::array<double, 2>, 3>
 SceneLayout::leaves_for(const double front_distance) const
 {
+  // Expected fronts are some per cent off.
+  constexpr double margin = 1.03;
+  const double path = margin * front_distance;
+  dealii::BoundingBox<3> watched = body;
+  if (probe)
+    watched.merge_with({{*probe, *probe}});
   // Smallest distance of an open side along direction d: the charge's mirror
-  // image in it is farther from the body than the front travels, and one leaf
-  // fits between it and body and charge.
+  // image in it is farther from body and probe than the front travels, and one
+  // leaf fits between it and body and charge.
   const auto side = [&](const unsigned int d, const double sign) {
     const double farthest =
-      sign > 0. ? body.upper_bound(d) : -body.lower_bound(d);
+      sign > 0. ? watched.upper_bound(d) : -watched.lower_bound(d);
     const double place = sign * charge[d];
     double across = 0.;
     for (unsigned int e = 0; e < 3; ++e)
       if (e != d)
         across += std::pow(std::max({0.,
-                                     body.lower_bound(e) - charge[e],
-                                     charge[e] - body.upper_bound(e)}),
+                                     watched.lower_bound(e) - charge[e],
+                                     charge[e] - watched.upper_bound(e)}),
                            2);
-    const double along =
-      std::sqrt(std::max(0., front_distance * front_distance - across));
+    const double along = std::sqrt(std::max(0., path * path - across));
     return std::max(0.5 * (along + farthest + place),
                     std::max(farthest, place) + leaf);
   };

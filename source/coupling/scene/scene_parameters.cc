@@ -11,7 +11,7 @@
 #include <contrecoup/coupling/application/blast_application.h>
 #include <contrecoup/coupling/scene/scene_parameters.h>
 #include <contrecoup/geometry/body/body_description.h>
-#include <contrecoup/materials/explosives.h>
+#include <contrecoup/materials/custom_explosive.h>
 #include <contrecoup/materials/tissue_library.h>
 
 #include <deal.II/base/patterns.h>
@@ -118,6 +118,11 @@ namespace
   }
 
 
+  std::string with_unit(const double value, const std::string &unit)
+  {
+    return brief(value) + (unit == "-" ? "" : " " + unit);
+  }
+
   constexpr double smallest_cell = 0.16 / 1024.; // [m]
   /// Of the preset's elements along the body's longest side. With 25, as of
   /// 10 mm in a head of 250 mm, hourglass modes store 38 % of the energy.
@@ -152,14 +157,48 @@ namespace
   }
 
 
+  const std::string custom_section = "Custom explosive";
+
+  /// Entry for the TNT equivalence of a custom explosive.
+  void declare_equivalence(ParameterHandler &prm,
+                           const std::string &quantity,
+                           const std::string &also)
+  {
+    declare_list(prm,
+                 "TNT equivalence of " + quantity,
+                 "",
+                 0,
+                 1,
+                 1e-3,
+                 100.,
+                 "-",
+                 "Mass of TNT that gives the same " + quantity + " and " +
+                   also +
+                   ", per mass of explosive; empty: that of Like if both have "
+                   "the same energy per mass, else the ratio of energies.");
+  }
+
+  void declare_custom(ParameterHandler &prm)
+  {
+    declare_string(
+      prm, "Name", "custom", "Name of the explosive in plan and report.");
+    CustomExplosive::declare_parameters(prm);
+    declare_equivalence(prm, "pressure", "arrival");
+    declare_equivalence(prm, "impulse", "duration");
+  }
+
+
   void declare_charge(ParameterHandler &prm)
   {
     const Section section(prm, "Charge");
+    std::vector<std::string> explosives = explosive_names();
+    explosives.push_back("custom");
     declare_selection(prm,
                       "Explosive",
                       "tnt",
-                      explosive_names(),
-                      "Name in the library of explosives.");
+                      explosives,
+                      "Name in the library of explosives, or custom: that of "
+                      "subsection Custom explosive.");
     declare_double(
       prm, "Mass", "1", 1e-9, bounds::mass, "kg", "Of the sphere, above 0.");
     declare_string(prm,
@@ -191,6 +230,8 @@ namespace
                    "m",
                    "Centre of the charge x, y, z, instead of Distance and "
                    "Height; empty: from these two.");
+    const Section custom(prm, custom_section);
+    declare_custom(prm);
   }
 
 
@@ -214,6 +255,22 @@ namespace
 
 void SceneParameters::declare_parameters(ParameterHandler &prm)
 {
+  declare_own(prm);
+  declare_tasks(prm);
+}
+
+
+bool SceneParameters::is_of_stage(const Assignment &assignment)
+{
+  const std::string section =
+    assignment.sections.empty() ? "" : assignment.sections[0];
+  return section == "Anatomy" || section == "Blast" ||
+         section == "Biomechanics";
+}
+
+
+void SceneParameters::declare_own(ParameterHandler &prm)
+{
   declare_scene(prm);
   declare_charge(prm);
   {
@@ -230,52 +287,122 @@ void SceneParameters::declare_parameters(ParameterHandler &prm)
                       "constant bulk modulus of 42 kPa and is crushed by "
                       "blasts that injure.");
   }
-  declare_tasks(prm);
 }
 
 
 void SceneParameters::parse_parameters(ParameterHandler &prm)
 {
-  {
-    const Section section(prm, "Scene");
-    title = prm.get("Title");
-    question = prm.get("Question");
-    const std::string name = prm.get("Accuracy");
-    accuracy = *std::find_if(accuracies.begin(),
-                             accuracies.end(),
-                             [&](const Accuracy &a) { return a.name == name; });
-    element_size = read_double(prm, "Element size");
-    cell_size = read_double(prm, "Cell size");
-    if (cell_size > 0. && cell_size < smallest_cell)
-      throw InputError("Scene/Cell size cannot be " + brief(cell_size) +
-                       " m: 0 or at least " + brief(smallest_cell) + " m");
-    end_time = read_double(prm, "End time");
-    symmetry = prm.get("Symmetry");
-    has_forecast = prm.get_bool("Forecast");
-    draws_report = prm.get_bool("Report");
-    estimates_error = prm.get_bool("Error estimate");
-  }
-  {
-    const Section section(prm, "Charge");
-    explosive = prm.get("Explosive");
-    mass = read_double(prm, "Mass");
-    const std::optional<double> energy = read_afterburn(prm);
-    has_usual_afterburn = !energy;
-    afterburn = energy.value_or(find_explosive(explosive).afterburn.energy);
-    distance = read_double(prm, "Distance");
-    height = read_double(prm, "Height");
-    const auto places = read_points<3>(prm, "Place");
-    if (places.size() > 1)
-      throw InputError("Charge/Place: one place is wanted, " +
-                       std::to_string(places.size()) + " are given");
-    if (!places.empty())
-      place = places[0];
-    if (place && (*place)[2] <= 0.)
-      throw InputError("Charge/Place: its height, the third number, must be "
-                       "above 0, the ground");
-  }
+  changes.clear();
+  parse_scene(prm);
+  parse_charge(prm);
   const Section section(prm, "Tissues");
   tissues = prm.get("Set");
+}
+
+
+void SceneParameters::parse_scene(ParameterHandler &prm)
+{
+  const Section section(prm, "Scene");
+  title = prm.get("Title");
+  question = prm.get("Question");
+  const std::string name = prm.get("Accuracy");
+  accuracy = *std::find_if(accuracies.begin(),
+                           accuracies.end(),
+                           [&](const Accuracy &a) { return a.name == name; });
+  element_size = read_double(prm, "Element size");
+  cell_size = read_double(prm, "Cell size");
+  if (cell_size > 0. && cell_size < smallest_cell)
+    throw InputError("Scene/Cell size cannot be " + brief(cell_size) +
+                     " m: 0 or at least " + brief(smallest_cell) + " m");
+  end_time = read_double(prm, "End time");
+  symmetry = prm.get("Symmetry");
+  has_forecast = prm.get_bool("Forecast");
+  draws_report = prm.get_bool("Report");
+  estimates_error = prm.get_bool("Error estimate");
+}
+
+
+void SceneParameters::parse_charge(ParameterHandler &prm)
+{
+  const Section section(prm, "Charge");
+  parse_explosive(prm);
+  mass = read_double(prm, "Mass");
+  const std::optional<double> energy = read_afterburn(prm);
+  has_usual_afterburn = !energy;
+  afterburn = energy.value_or(explosive.afterburn.energy);
+  distance = read_double(prm, "Distance");
+  height = read_double(prm, "Height");
+  const auto places = read_points<3>(prm, "Place");
+  if (places.size() > 1)
+    throw InputError("Charge/Place: one place is wanted, " +
+                     std::to_string(places.size()) + " are given");
+  if (!places.empty())
+    place = places[0];
+  if (place && (*place)[2] <= 0.)
+    throw InputError("Charge/Place: its height, the third number, must be "
+                     "above 0, the ground");
+}
+
+
+void SceneParameters::parse_explosive(ParameterHandler &prm)
+{
+  const std::string chosen = prm.get("Explosive");
+  const std::string path = "Charge/" + custom_section;
+  const Section section(prm, custom_section);
+  CustomExplosive custom;
+  custom.parse_parameters(prm, path);
+  const auto pressure = read_list(prm, "TNT equivalence of pressure");
+  const auto impulse = read_list(prm, "TNT equivalence of impulse");
+  if (chosen != "custom")
+  {
+    if (!custom.changes.empty() || !pressure.empty() || !impulse.empty() ||
+        custom.like != "tnt")
+      throw InputError(path + " has values that Charge/Explosive = " + chosen +
+                       " does not use; set Charge/Explosive = custom");
+    explosive = find_explosive(chosen);
+    return;
+  }
+  explosive = custom.explosive;
+  explosive.name = prm.get("Name");
+  custom_entries = {{"Like", custom.like}};
+  for (const std::string &entry : CustomExplosive::entry_names())
+    if (!prm.get(entry).empty())
+      custom_entries.emplace_back(entry, prm.get(entry));
+  for (const CustomExplosive::Change &change : custom.changes)
+    changes.push_back({path + "/" + change.entry,
+                       with_unit(change.value, change.unit),
+                       with_unit(change.before, change.unit)});
+  const auto take = [&](const std::vector<double> &given,
+                        const std::string &quantity,
+                        double &value) {
+    if (given.empty() || given[0] == value)
+      return;
+    changes.push_back({path + "/TNT equivalence of " + quantity,
+                       brief(given[0]),
+                       brief(value) + ", " + explosive.tnt.source});
+    value = given[0];
+  };
+  TntEquivalence tnt = explosive.tnt;
+  take(pressure, "pressure", tnt.pressure);
+  take(impulse, "impulse", tnt.impulse);
+  if (!pressure.empty() && !impulse.empty())
+    tnt = {tnt.pressure, tnt.impulse, true, "given in " + path};
+  else if (!pressure.empty() || !impulse.empty())
+    tnt.source += ", partly given in " + path;
+  explosive.tnt = tnt;
+}
+
+
+double SceneParameters::energy() const
+{
+  const JwlParameters &jwl = explosive.jwl;
+  return mass * (jwl.energy_density / jwl.reference_density + afterburn);
+}
+
+
+IncidentWave SceneParameters::incident_wave() const
+{
+  return {explosive.tnt, mass, energy()};
 }
 
 

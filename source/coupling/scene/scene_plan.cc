@@ -5,14 +5,15 @@
 #include <contrecoup/coupling/scene/scene_plan.h>
 #include <contrecoup/io/file/checked_file.h>
 #include <contrecoup/io/output/history_reader.h>
-#include <contrecoup/materials/explosives.h>
 #include <contrecoup/materials/tissue_library.h>
-#include <contrecoup/numerics/injury/kingery_bulmash.h>
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <limits>
+#include <map>
 
 namespace contrecoup::coupling
 {
@@ -27,33 +28,25 @@ namespace
   /// raise the peak on a chest by a fifth and more, see
   /// parameter_files/scene/error_estimate.md.
   constexpr double least_cells = 15.;
-  constexpr double largest_gravity = 0.05; // fraction of the body's speed
-
-  /// Value of Kingery and Bulmash for impulse or duration; NaN where they
-  /// have none.
-  double measured(const SceneParameters &scene,
-                  const SceneLayout &layout,
-                  const BlastQuantity quantity)
-  {
-    const TntEquivalence &tnt = find_explosive(scene.explosive).tnt;
-    const KingeryBulmash blast("spherical", scene.mass * tnt.impulse);
-    return blast.covers(quantity, layout.distance)
-             ? blast.value(quantity, layout.distance)
-             : unknown;
-  }
-
+  /// Of a body at rest for the gas, in parts of its depth: the loads on its
+  /// skin then move by as much.
+  constexpr double largest_displacement = 0.1;
 
   /// Item about the body at rest, with its estimate.
-  Assumption rigid_body(const double displacement, const double cell)
+  /// @param displacement while the load lasts [m]
+  Assumption rigid_body(const double displacement, const SceneLayout &layout)
   {
+    const auto &body = layout.body;
+    const double depth =
+      std::min({body.side_length(0), body.side_length(1), body.side_length(2)});
     return {"rigid_body",
             "fixed rigid body in the gas",
-            "displacement of the body over a subcell at its skin",
+            "displacement of the body during the positive phase over its depth",
             "-",
-            displacement / cell,
-            1.,
+            displacement / depth,
+            largest_displacement,
             false,
-            "Scene/Accuracy"};
+            ""};
   }
 
   Assumption strain(const double value)
@@ -68,6 +61,7 @@ namespace
             "Biomechanics/Elements/Kinematics"};
   }
 
+  /// Who stands is held by the ground: the figure is for information.
   Assumption gravity_of_body(const double end_time, const double speed)
   {
     return {"gravity_of_body",
@@ -75,9 +69,9 @@ namespace
             "speed due to gravity over that of the body",
             "-",
             gravity * end_time / speed,
-            largest_gravity,
+            unknown,
             false,
-            "Scene/End time"};
+            "Biomechanics/Gravity/Acceleration"};
   }
 
   Assumption symmetry(const SceneLayout &layout)
@@ -95,14 +89,14 @@ namespace
   /// Energy of afterburn over that of detonation.
   double afterburn_share(const SceneParameters &scene)
   {
-    const JwlParameters &jwl = find_explosive(scene.explosive).jwl;
+    const JwlParameters &jwl = scene.explosive.jwl;
     return scene.afterburn * jwl.reference_density / jwl.energy_density;
   }
 
   /// Item about the energy that the products release in air.
   Assumption afterburn(const SceneParameters &scene)
   {
-    const Explosive &explosive = find_explosive(scene.explosive);
+    const Explosive &explosive = scene.explosive;
     const std::string decision =
       scene.afterburn > 0. ? brief(1e-6 * scene.afterburn, 3) + " of at most " +
                                brief(1e-6 * explosive.afterburn.largest, 2) +
@@ -126,14 +120,14 @@ namespace
                               const BlastQuantity quantity)
   {
     const bool is_impulse = quantity == BlastQuantity::impulse;
-    const TntEquivalence &tnt = find_explosive(scene.explosive).tnt;
-    const double mass = scene.mass * (is_impulse ? tnt.impulse : tnt.pressure);
-    const KingeryBulmash without("spherical", mass);
-    const KingeryBulmash with("spherical",
-                              (1. + afterburn_share(scene)) * mass);
+    const IncidentWave without = scene.incident_wave();
+    const IncidentWave with(scene.explosive.tnt,
+                            (1. + afterburn_share(scene)) * scene.mass,
+                            scene.energy());
     const double distance = layout.distance;
     const double rise =
-      without.covers(quantity, distance) && with.covers(quantity, distance)
+      without.is_tabulated(quantity, distance) &&
+          with.is_tabulated(quantity, distance)
         ? with.value(quantity, distance) / without.value(quantity, distance) -
             1.
         : unknown;
@@ -162,7 +156,8 @@ namespace
         ", set " + scene.tissues,
       "reflected peak over the bulk modulus of the lung",
       "-",
-      measured(scene, layout, BlastQuantity::reflected_overpressure) /
+      scene.incident_wave().value(BlastQuantity::reflected_overpressure,
+                                  layout.distance) /
         tissue.bulk_modulus,
       has_air ? unknown : 1.,
       false,
@@ -170,8 +165,10 @@ namespace
   }
 
   /// Item about the cells of the gas for the blast wave at the body.
-  Assumption resolution(const SceneLayout &layout)
+  Assumption resolution(const SceneParameters &scene, const SceneLayout &layout)
   {
+    const bool is_finest =
+      scene.accuracy.name == SceneParameters::accuracies.back().name;
     return {"resolution",
             "cells of " + brief(1e3 * layout.cell_size()) + " mm at the skin",
             "cells for the positive phase at the body",
@@ -179,7 +176,8 @@ namespace
             layout.cells_per_phase(),
             least_cells,
             true,
-            "Scene/Accuracy"};
+            is_finest || scene.cell_size > 0. ? "Scene/Cell size"
+                                              : "Scene/Accuracy"};
   }
 
   /// Items about charge and cells, known before the run.
@@ -190,7 +188,24 @@ namespace
             afterburn(scene),
             afterburn_effect(scene, layout, BlastQuantity::overpressure),
             afterburn_effect(scene, layout, BlastQuantity::impulse),
-            resolution(layout)};
+            resolution(scene, layout)};
+  }
+
+  /// Item about a side of the domain that the user chose.
+  Assumption chosen_side(const ChosenSide &side, const SceneLayout &layout)
+  {
+    std::string name = "side " + side.name;
+    std::replace(name.begin(), name.end(), ' ', '_');
+    return {name,
+            side.in_words(layout),
+            "distance of this side from the body",
+            "m",
+            side.is_high
+              ? side.place(layout) - layout.body.upper_bound(side.direction)
+              : layout.body.lower_bound(side.direction) - side.place(layout),
+            unknown,
+            false,
+            side.entry()};
   }
 
   Assumption end_of_load(const SceneParameters &scene, const double value)
@@ -274,17 +289,22 @@ namespace
 
 
   /// Largest norm of the vector "NAME_x", "NAME_y", "NAME_z" over all probes
-  /// and times of a task; NaN if there is none.
-  double largest_vector(const std::string &folder, const std::string &name)
+  /// and times of a task until @p last [s]; NaN if there is none.
+  double
+  largest_vector(const std::string &folder,
+                 const std::string &name,
+                 const double last = std::numeric_limits<double>::infinity())
   {
     const std::string file = folder + "/probes.csv";
     if (!std::filesystem::exists(file))
       return unknown;
     const io::HistoryTable table = io::read_history(file);
+    const std::vector<double> &times = table.column("time", file);
     double largest = unknown;
     for (std::size_t i = 0; i + 2 < table.names.size(); ++i)
       if (table.names[i].find(name + "_x") != std::string::npos)
-        for (std::size_t row = 0; row < table.columns[i].size(); ++row)
+        for (std::size_t row = 0; row < times.size() && times[row] <= last;
+             ++row)
           largest = std::fmax(largest,
                               std::hypot(table.columns[i][row],
                                          table.columns[i + 1][row],
@@ -294,8 +314,43 @@ namespace
 } // namespace
 
 
+std::string ChosenSide::in_words(const SceneLayout &layout) const
+{
+  return kind + " at " + name.substr(0, 1) + " = " + brief(place(layout)) +
+         " m";
+}
+
+
+std::vector<ChosenSide> find_chosen_sides(const std::vector<Assignment> &wrote,
+                                          const SceneLayout &layout)
+{
+  std::map<std::string, ChosenSide> chosen; // the last assignment counts
+  for (const Assignment &assignment : wrote)
+    if (join(assignment.sections, "/") == "Blast/Boundaries")
+      for (unsigned int d = 0; d < 3; ++d)
+        for (const bool is_high : {false, true})
+        {
+          const std::string name =
+            std::string(1, "xyz"[d]) + (is_high ? " high" : " low");
+          if (assignment.entry == name)
+            chosen[name] = {name, trim(assignment.value), d, is_high};
+        }
+  std::vector<ChosenSide> sides;
+  for (const auto &[name, side] : chosen)
+  {
+    const std::string own = name == "z low"                     ? "wall"
+                            : name == "y low" && layout.is_half ? "symmetry"
+                                                                : "open";
+    if (side.kind != own && !(own == "symmetry" && side.kind == "wall"))
+      sides.push_back(side);
+  }
+  return sides;
+}
+
+
 std::vector<Assumption> scene_plan(const SceneParameters &scene,
                                    const SceneLayout &layout,
+                                   const std::vector<ChosenSide> &sides,
                                    const double body_mass,
                                    const bool has_lung)
 {
@@ -303,14 +358,17 @@ std::vector<Assumption> scene_plan(const SceneParameters &scene,
   const double front =
     0.6 * layout.body.side_length(1) *
     std::min(layout.body.side_length(2), 2. * layout.distance);
+  const IncidentWave wave = scene.incident_wave();
   const double speed =
-    measured(scene, layout, BlastQuantity::reflected_impulse) * front /
+    wave.value(BlastQuantity::reflected_impulse, layout.distance) * front /
     body_mass;
-  const double phase = measured(scene, layout, BlastQuantity::duration);
+  const double phase = wave.value(BlastQuantity::duration, layout.distance);
   std::vector<Assumption> items = items_of_charge(scene, layout);
+  for (const ChosenSide &side : sides)
+    items.push_back(chosen_side(side, layout));
   items.push_back(end_of_load(scene, layout.arrival + phase));
-  items.push_back(
-    rigid_body(speed * (scene.end_time - layout.arrival), layout.cell_size()));
+  // Under a load that falls linearly.
+  items.push_back(rigid_body(2. / 3. * speed * phase, layout));
   if (!scene.wants_injury())
     return items;
   items.push_back(strain(unknown));
@@ -330,8 +388,9 @@ std::vector<Assumption> scene_audit(const SceneParameters &scene,
   std::vector<Assumption> items = items_of_charge(scene, layout);
   if (scene.wants_injury())
   {
+    const double passed = layout.arrival + layout.positive_phase;
     items.push_back(
-      rigid_body(largest_vector(solid, "displacement"), layout.cell_size()));
+      rigid_body(largest_vector(solid, "displacement", passed), layout));
     const Json summary = read_summary(solid);
     items.push_back(strain(
       number_or_unknown(result_of(summary, "injury_strain_95"), "value")));

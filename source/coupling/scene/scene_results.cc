@@ -8,6 +8,7 @@
 #include <contrecoup/coupling/scene/coarser_run.h>
 #include <contrecoup/coupling/scene/scene_plan.h>
 #include <contrecoup/coupling/scene/scene_results.h>
+#include <contrecoup/coupling/scene/table_comparison.h>
 #include <contrecoup/io/file/checked_file.h>
 #include <contrecoup/io/run/plan_table.h>
 
@@ -132,6 +133,90 @@ namespace
   }
 
 
+  /// A number; null if it is not known.
+  Json number(const double value)
+  {
+    return std::isfinite(value) ? Json(value) : Json();
+  }
+
+
+  Json person_of(const Person &person)
+  {
+    Json json = {{"description", person.description()},
+                 {"length", person.length()},
+                 {"mass", person.mass()}};
+    if (!person.axes())
+      return json;
+    const auto direction = [](const dealii::Tensor<1, 3> &axis) {
+      return list(dealii::Point<3>(axis));
+    };
+    json["posture"] = person.posture();
+    json["forward"] = direction(person.axes()->forward);
+    json["left"] = direction(person.axes()->left);
+    json["up"] = direction(person.axes()->up);
+    json["side_to_charge"] = person.side_to_charge();
+    json["charge_azimuth"] = person.charge_azimuth();
+    json["charge_elevation"] = person.charge_elevation();
+    return json;
+  }
+
+
+  Json effect_of(const TableAnswer::Effect &effect)
+  {
+    return {{"overpressure", effect.overpressure},
+            {"eardrum_rupture", effect.eardrum_rupture},
+            {"lung_exposure", effect.lung_exposure},
+            {"lung_lethality", effect.lung_lethality}};
+  }
+
+
+  /// The answer of the tables, null where they have none, and the equivalence
+  /// by which they are entered.
+  Json tables_of(const PlannedScene &scene)
+  {
+    const TntEquivalence &tnt = scene.parameters().explosive.tnt;
+    Json json = {{"equivalence_of_pressure", tnt.pressure},
+                 {"equivalence_of_impulse", tnt.impulse},
+                 {"is_published", tnt.is_published},
+                 {"source", tnt.source},
+                 {"answer", nullptr}};
+    if (const auto answer =
+          table_answer(scene.parameters(), scene.layout(), scene.body_mass()))
+      json["answer"] = {{"arrival", answer->arrival},
+                        {"impulse", answer->impulse},
+                        {"duration", answer->duration},
+                        {"in_the_open", effect_of(answer->in_the_open)},
+                        {"before_a_wall", effect_of(answer->before_a_wall)}};
+    return json;
+  }
+
+
+  Json comparison_rows(const std::vector<ComparedQuantity> &compared)
+  {
+    Json rows = Json::array();
+    for (const ComparedQuantity &one : compared)
+      rows.push_back({{"name", one.name},
+                      {"unit", one.unit},
+                      {"run", one.run},
+                      {"run_error", number(one.run_error)},
+                      {"tables", one.tables},
+                      {"tables_error", one.tables_error},
+                      {"differs", one.differs}});
+    return rows;
+  }
+
+
+  Json change_rows(const std::vector<ChangedEntry> &changes)
+  {
+    Json rows = Json::array();
+    for (const ChangedEntry &change : changes)
+      rows.push_back({{"entry", change.entry},
+                      {"value", change.value},
+                      {"before", change.before}});
+    return rows;
+  }
+
+
   /// A word as a shell takes it, in quotes if it needs them.
   std::string quoted(const std::string &word)
   {
@@ -177,12 +262,19 @@ void print_audit(const PlannedScene &scene, const std::string &folder)
          scene_audit(
            scene.parameters(), scene.layout(), scene.has_lung(), folder)))
     log_line(line);
+  const std::string warning =
+    warning_of(compare_with_tables(
+                 scene.parameters(), scene.layout(), scene.body_mass(), folder),
+               scene.parameters().explosive);
+  if (!warning.empty())
+    log_line(warning);
 }
 
 
 void write_scene(const PlannedScene &scene,
                  const std::vector<SceneTask> &tasks,
                  const std::vector<std::string> &reused,
+                 const std::vector<std::string> &warnings,
                  const io::CommandLine &command,
                  const unsigned int n_ranks)
 {
@@ -192,36 +284,45 @@ void write_scene(const PlannedScene &scene,
     scene_audit(
       scene.parameters(), layout, scene.has_lung(), command.output_folder),
     tasks);
-  Json json = {{"application", "scene"},
-               {"version", version()},
-               {"git_revision", git_revision()},
-               {"title", scene.parameters().title},
-               {"question", scene.parameters().question},
-               {"accuracy", scene.parameters().accuracy.name},
-               {"explosive", scene.parameters().explosive},
-               {"charge_mass", scene.parameters().mass},
-               {"charge_place", list(layout.charge)},
-               {"distance", layout.distance},
-               {"height", layout.charge[2]},
-               {"body", scene.body_kind()},
-               {"body_box",
-                {list(layout.body.get_boundary_points().first),
-                 list(layout.body.get_boundary_points().second)}},
-               {"domain", {list(layout.lower), list(layout.upper)}},
-               {"symmetry", layout.is_half ? "y" : "none"},
-               {"end_time", scene.parameters().end_time},
-               {"cell_size_at_body", layout.cell_size()},
-               {"element_size", scene.parameters().element_size},
-               {"tissue_places", place_rows(scene.tissue_places())},
-               {"coarser_run",
-                {{"cell_ratio", CoarserRun::cell_ratio},
-                 {"element_ratio", CoarserRun::element_ratio}}},
-               {"command", call_of(command)},
-               {"ranks", n_ranks},
-               {"stages", task_rows(tasks, reused)},
-               {"plan", plan_rows(plan)},
-               {"audit", audit_rows(plan, audit)},
-               {"remarks", scene.body().remarks()}};
+  Json json = {
+    {"application", "scene"},
+    {"version", version()},
+    {"git_revision", git_revision()},
+    {"title", scene.parameters().title},
+    {"question", scene.parameters().question},
+    {"accuracy", scene.parameters().accuracy.name},
+    {"explosive", scene.parameters().explosive.name},
+    {"charge_mass", scene.parameters().mass},
+    {"charge_place", list(layout.charge)},
+    {"distance", layout.distance},
+    {"distance_along_x", number(layout.distance_along_x)},
+    {"height", layout.charge[2]},
+    {"body", scene.body_kind()},
+    {"person", person_of(scene.person())},
+    {"body_box",
+     {list(layout.body.get_boundary_points().first),
+      list(layout.body.get_boundary_points().second)}},
+    {"domain", {list(layout.lower), list(layout.upper)}},
+    {"symmetry", layout.is_half ? "y" : "none"},
+    {"end_time", scene.parameters().end_time},
+    {"cell_size_at_body", layout.cell_size()},
+    {"element_size", scene.parameters().element_size},
+    {"tissue_places", place_rows(scene.tissue_places())},
+    {"coarser_run",
+     {{"cell_ratio", CoarserRun::cell_ratio},
+      {"element_ratio", CoarserRun::element_ratio}}},
+    {"command", call_of(command)},
+    {"ranks", n_ranks},
+    {"stages", task_rows(tasks, reused)},
+    {"plan", plan_rows(plan)},
+    {"audit", audit_rows(plan, audit)},
+    {"tables", tables_of(scene)},
+    {"table_comparison",
+     comparison_rows(compare_with_tables(
+       scene.parameters(), layout, scene.body_mass(), command.output_folder))},
+    {"changes", change_rows(scene.parameters().changes)},
+    {"warnings", warnings},
+    {"remarks", scene.body().remarks()}};
   const auto fit = organ_fit_figures(scene.body());
   if (!fit.empty())
     json["organ_fit"] = fit;

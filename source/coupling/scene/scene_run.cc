@@ -6,6 +6,7 @@
 #include <contrecoup/base/system/log.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/base/system/version.h>
+#include <contrecoup/coupling/scene/scene_files.h>
 #include <contrecoup/coupling/scene/scene_results.h>
 #include <contrecoup/coupling/scene/scene_run.h>
 #include <contrecoup/coupling/scene/scene_tasks.h>
@@ -13,6 +14,7 @@
 #include <contrecoup/io/output/pictures.h>
 
 #include <algorithm>
+#include <optional>
 
 namespace contrecoup::coupling
 {
@@ -27,21 +29,68 @@ SceneRun::SceneRun(const io::CommandLine &command,
 {
   collective_.run(
     [&]() {
-      scene_.emplace(prm);
+      scene_.emplace(prm, io::assignments_of(command_, prm));
       tasks_ = make_tasks(*scene_, command_, prm, collective_);
     },
     ExitCode::bad_input);
 }
 
 
+namespace
+{
+  /// Of the usual time for trial runs; a coarser stage needs fewer.
+  constexpr double coarser_trial_share = 0.25;
+
+  /// Drawing a report and the pictures of a blast takes as long for any scene
+  /// [s], and the report has about this size [byte].
+  constexpr double drawing_seconds = 12.;
+  constexpr double report_bytes = 4e6;
+
+  /// Suppresses the log while it exists.
+  class Silence
+  {
+  public:
+    explicit Silence(const bool was_active)
+      : was_active_(was_active)
+    {
+      Log::instance().set_active(false);
+    }
+    ~Silence()
+    {
+      Log::instance().set_active(was_active_);
+    }
+    Silence(const Silence &) = delete;
+    Silence &operator=(const Silence &) = delete;
+
+  private:
+    bool was_active_;
+  };
+} // namespace
+
+
+std::optional<CostEstimate> SceneRun::cost_of(SceneTask &task)
+{
+  if (!task.is_optional())
+    return task.check(1., collective_);
+  try
+  {
+    return task.check(coarser_trial_share, collective_);
+  }
+  catch (const InputError &error)
+  {
+    log_line("WARNING: no estimate of the numerical error: " +
+             std::string(error.what()));
+    return {};
+  }
+}
+
+
 void SceneRun::print_costs()
 {
   CostEstimate total;
-  bool any_finished = false;
+  bool any_finished = false, any_left = false;
   for (SceneTask &task : tasks_)
   {
-    if (task.is_optional())
-      continue;
     if (task.is_finished())
     {
       log_line("stage " + task.name() + " is finished in " + task.folder());
@@ -49,21 +98,29 @@ void SceneRun::print_costs()
       continue;
     }
     log_line("stage " + task.name() + ":");
-    const CostEstimate cost = task.check(collective_);
-    total.seconds += cost.seconds;
-    total.memory = std::max(total.memory, cost.memory);
-    total.output += cost.output;
+    const std::optional<CostEstimate> cost = cost_of(task);
+    if (!cost)
+      break;
+    any_left = true;
+    total.seconds += cost->seconds;
+    total.memory = std::max(total.memory, cost->memory);
+    total.output += cost->output;
   }
-  if (!(total.memory > 0.))
+  if (scene_->parameters().draws_report)
+  {
+    log_line("pictures and report: wall time about " +
+             duration(drawing_seconds) + ", output about " +
+             bytes(report_bytes));
+    total.seconds += drawing_seconds;
+    total.output += report_bytes;
+  }
+  if (!any_left)
     return;
-  log_line(std::string(any_finished ? "what is left" : "all stages") +
-           ", one after the other: wall time about " + duration(total.seconds) +
-           ", memory about " + bytes(total.memory) +
-           (total.output > 0. ? ", output about " + bytes(total.output) : "") +
-           " in " + command_.output_folder);
-  if (scene_->parameters().estimates_error)
-    log_line("the coarser run that estimates the error takes about a seventh "
-             "of that time more");
+  show_line(std::string(any_finished ? "what is left" : "all stages") +
+            ", one after the other: wall time about " +
+            duration(total.seconds) + " by a calibration on this machine" +
+            ", memory about " + bytes(total.memory) + ", output about " +
+            bytes(total.output) + " in " + command_.output_folder);
 }
 
 
@@ -79,7 +136,16 @@ void SceneRun::check()
 void SceneRun::forecast()
 {
   const LogPart part;
-  print_costs();
+  if (scene_->parameters().has_forecast)
+  {
+    print_costs();
+    return;
+  }
+  // What a later stage refuses is better known before the first one.
+  const Silence silence(is_first_rank_);
+  for (SceneTask &task : tasks_)
+    if (!task.is_finished() && !task.is_optional())
+      task.check(0., collective_);
 }
 
 
@@ -226,8 +292,8 @@ void SceneRun::start()
     }
     io::write_file(path("parameters.prm"), [&](std::ostream &out) {
       out << "# scene " << version() << " (" << git_revision()
-          << "): every entry as used\n\n"
-          << parameter_text(prm_, false);
+          << "): the entries that make this scene\n\n"
+          << scene_text(prm_, io::assignments_of(command_, prm_));
     });
     Log::instance().open(path("log.txt"), command_.resume);
   });
@@ -325,17 +391,24 @@ void SceneRun::execute()
 void SceneRun::run_all()
 {
   scene_->print();
-  if (scene_->parameters().has_forecast && !command_.resume)
+  std::vector<std::string> warnings = Log::instance().warnings();
+  if (!command_.resume)
     forecast();
   const bool finished = run_tasks();
   collective_.run([&]() {
-    if (is_first_rank_)
-      write_scene(
-        *scene_,
-        tasks_,
-        reused_,
-        command_,
-        dealii::Utilities::MPI::n_mpi_processes(collective_.communicator()));
+    if (!is_first_rank_)
+      return;
+    if (finished)
+      print_audit(*scene_, command_.output_folder);
+    for (const std::string &warning : Log::instance().warnings())
+      warnings.push_back(warning);
+    write_scene(
+      *scene_,
+      tasks_,
+      reused_,
+      warnings,
+      command_,
+      dealii::Utilities::MPI::n_mpi_processes(collective_.communicator()));
   });
   for (const SceneTask &task : tasks_)
     if (is_stop(task.stop()))
@@ -352,7 +425,6 @@ void SceneRun::run_all()
 
 void SceneRun::write_report()
 {
-  print_audit(*scene_, command_.output_folder);
   if (scene_->parameters().draws_report)
     io::draw("report", command_.output_folder, "report", "report.html");
   log_line("results in " + command_.output_folder);

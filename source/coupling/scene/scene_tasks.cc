@@ -10,6 +10,7 @@
 #include <contrecoup/coupling/application/biomechanics_application.h>
 #include <contrecoup/coupling/application/blast_application.h>
 #include <contrecoup/coupling/scene/coarser_run.h>
+#include <contrecoup/coupling/scene/scene_checks.h>
 #include <contrecoup/coupling/scene/scene_files.h>
 #include <contrecoup/coupling/scene/scene_tasks.h>
 #include <contrecoup/io/application/application.h>
@@ -27,9 +28,11 @@ namespace
   SceneTask::Runner runner(const io::ApplicationDescription &application)
   {
     return [application](const std::vector<std::string> &arguments,
+                         const double trial_share,
                          CostEstimate &cost) {
       forget_peak_memory();
       io::ApplicationDescription task = application;
+      task.trial_share = trial_share;
       task.on_cost_estimate = [&cost](const CostEstimate &found) {
         cost = found;
       };
@@ -42,6 +45,7 @@ namespace
   SceneTask::Runner anatomy_runner(Collective &collective)
   {
     return [&collective](const std::vector<std::string> &arguments,
+                         const double /*trial_share*/,
                          CostEstimate &cost) {
       const io::ToolDescription tool = anatomy_application(
         [&cost](const CostEstimate &found) { cost = found; });
@@ -121,16 +125,15 @@ namespace
       return task;
     }
 
-    /// @throws InputError unless the blast records the loads for biomechanics
-    void require_loads() const
+    /// @throws InputError for contradictions between entries of stages
+    void check() const
     {
-      for (const Assignment &assignment : wrote_)
-        if (join(assignment.sections, "/") == "Blast/Loads" &&
-            assignment.entry == "Record" && assignment.value == "false")
-          throw InputError(assignment.origin +
-                           ": Blast/Loads/Record must be true, for stage "
-                           "biomechanics takes the loads; Scene/Question = "
-                           "loads leaves this stage out");
+      const TaskText blast = blast_text({});
+      check_blast(scene_, blast);
+      if (!scene_.parameters().wants_injury())
+        return;
+      require_loads();
+      check_biomechanics(scene_, blast, biomechanics_text({}));
     }
 
     /// @param blast task that records the loads
@@ -149,15 +152,42 @@ namespace
     }
 
   private:
-    SceneTask blast(const std::string &name, const EntryChanges &changes) const
+    /// @throws InputError unless the blast records the loads for biomechanics
+    void require_loads() const
     {
-      return solver(
-        name,
+      for (const Assignment &assignment : wrote_)
+        if (join(assignment.sections, "/") == "Blast/Loads" &&
+            assignment.entry == "Record" && assignment.value == "false")
+          throw InputError(assignment.origin +
+                           ": Blast/Loads/Record must be true, for stage "
+                           "biomechanics takes the loads; Scene/Question = "
+                           "loads leaves this stage out");
+    }
+
+    TaskText blast_text(const EntryChanges &changes) const
+    {
+      return text_of(
         "Blast",
         blast_application(),
         blast_entries(scene_.parameters(), scene_.layout(), scene_.body_mass()),
-        {},
         changes);
+    }
+
+    TaskText biomechanics_text(const EntryChanges &changes) const
+    {
+      return text_of("Biomechanics",
+                     biomechanics_application(),
+                     biomechanics_entries(scene_.parameters(),
+                                          scene_.layout(),
+                                          scene_.body(),
+                                          scene_.tissue_places(),
+                                          scene_.body_mass()),
+                     changes);
+    }
+
+    SceneTask blast(const std::string &name, const EntryChanges &changes) const
+    {
+      return solver(name, blast_application(), blast_text(changes), {});
     }
 
     SceneTask biomechanics(const std::string &name,
@@ -165,15 +195,9 @@ namespace
                            const EntryChanges &changes) const
     {
       SceneTask task = solver(name,
-                              "Biomechanics",
                               biomechanics_application(),
-                              biomechanics_entries(scene_.parameters(),
-                                                   scene_.layout(),
-                                                   scene_.body(),
-                                                   scene_.tissue_places(),
-                                                   scene_.body_mass()),
-                              {blast.key()},
-                              changes);
+                              biomechanics_text(changes),
+                              {blast.key()});
       const std::string loads =
         std::filesystem::absolute(blast.folder() + "/loads.h5").string();
       task.set_arguments({"--set", "Loads/Recorded/File=" + loads});
@@ -181,20 +205,25 @@ namespace
       return task;
     }
 
-    SceneTask solver(const std::string &name,
-                     const std::string &section,
+    TaskText text_of(const std::string &section,
                      const io::ApplicationDescription &application,
                      const std::vector<Assignment> &entries,
-                     const std::vector<std::string> &upstream,
                      const EntryChanges &changes) const
     {
-      const TaskText file = task_text(
+      return task_text(
         section,
         entries,
         prm_,
         wrote_,
         [&](ParameterHandler &prm) { declare(application, prm); },
         changes);
+    }
+
+    SceneTask solver(const std::string &name,
+                     const io::ApplicationDescription &application,
+                     const TaskText &file,
+                     const std::vector<std::string> &upstream) const
+    {
       ParameterHandler defaults;
       declare(application, defaults);
       SceneTask task(name,
@@ -225,12 +254,10 @@ std::vector<SceneTask> make_tasks(const PlannedScene &scene,
                                   Collective &collective)
 {
   const Maker maker(scene, command, prm, collective);
+  maker.check();
   std::vector<SceneTask> tasks{maker.anatomy(), maker.blast()};
   if (scene.parameters().wants_injury())
-  {
-    maker.require_loads();
     tasks.push_back(maker.biomechanics(tasks.back()));
-  }
   if (!scene.parameters().estimates_error)
     return tasks;
   tasks.push_back(maker.coarser_blast());

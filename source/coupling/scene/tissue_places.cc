@@ -150,17 +150,17 @@ namespace
   /// centroid and the image of the other's, so that the histories on both sides
   /// of a symmetric body can be compared although its lungs differ.
   void add_lungs(const Samples &samples,
-                 const double middle,
+                 const Point<3> &middle,
+                 const Tensor<1, 3> &to_left,
                  std::vector<TissuePlace> &places)
   {
     const auto side_of = [&](const double sign) {
       return samples.centroid(Tissue::lung, [&](const Point<3> &place) {
-        return sign * (place[1] - middle) > 0.;
+        return sign * ((place - middle) * to_left) > 0.;
       });
     };
-    const auto image_of = [&](Point<3> place) {
-      place[1] = 2. * middle - place[1];
-      return place;
+    const auto image_of = [&](const Point<3> &place) {
+      return place - 2. * ((place - middle) * to_left) * to_left;
     };
     const auto left = side_of(1.), right = side_of(-1.);
     if (!left && !right)
@@ -191,12 +191,20 @@ double estimate_mass(const Body &body, const double spacing)
 
 
 std::vector<TissuePlace>
-find_tissue_places(const Body &body, const Point<3> &from, const double spacing)
+find_tissue_places(const Body &body,
+                   const Point<3> &from,
+                   const std::optional<PersonAxes> &axes,
+                   const double spacing)
 {
   const Samples samples(body, spacing);
   std::vector<TissuePlace> places;
   add_brain(samples, from, spacing, places);
-  add_lungs(samples, body.surface()->bounding_box().center()[1], places);
+  Tensor<1, 3> to_left;
+  to_left[1] = 1.;
+  add_lungs(samples,
+            body.surface()->bounding_box().center(),
+            axes ? axes->left : to_left,
+            places);
   const auto all = [](const Point<3> &) { return true; };
   if (const auto cord = samples.centroid(Tissue::spinal_cord, all))
     places.push_back(

@@ -173,16 +173,17 @@ void SceneTask::take_summary(const double wall_seconds)
 
 
 Failure SceneTask::call(const std::vector<std::string> &arguments,
+                        const double trial_share,
                         CostEstimate &cost) const
 {
   const LogWords in_log(words_);
-  Failure failure = runner_(arguments, cost);
+  Failure failure = runner_(arguments, trial_share, cost);
   failure.message = words_(failure.message);
   return failure;
 }
 
 
-CostEstimate SceneTask::check(Collective &collective)
+CostEstimate SceneTask::check(const double trial_share, Collective &collective)
 {
   // Each rank uses its own folder: a folder visible to all ranks may not
   // exist.
@@ -192,7 +193,7 @@ CostEstimate SceneTask::check(Collective &collective)
     [&]() { io::write_file(path, [&](std::ostream &out) { out << text_; }); });
   CostEstimate cost;
   const Failure failure =
-    call({name_, path, "--output", folder(), "--check"}, cost);
+    call({name_, path, "--output", folder(), "--check"}, trial_share, cost);
   if (failure.code != ExitCode::done)
     throw_failure({failure.code, "stage " + name_ + ": " + failure.message});
   return cost;
@@ -247,7 +248,7 @@ bool SceneTask::run(const bool resume, Collective &collective)
   });
   const auto begin = std::chrono::steady_clock::now();
   CostEstimate unused;
-  const Failure failure = call(words, unused);
+  const Failure failure = call(words, 0., unused);
   const double wall_seconds =
     std::chrono::duration<double>(std::chrono::steady_clock::now() - begin)
       .count();

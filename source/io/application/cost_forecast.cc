@@ -309,7 +309,7 @@ namespace io
                           const CostEstimate &rough,
                           Collective &collective)
   {
-    const double budget = trial_seconds();
+    const double budget = description.trial_share * trial_seconds();
     if (!(budget > 0.))
       return rough;
     const MPI_Comm all = collective.communicator();

@@ -58,7 +58,7 @@ namespace io
     {
       return "WARNING: " + item.name + ": " + item.quantity + " is " + kind +
              " " + number(item.value, item.unit) + ", allowed is " +
-             limit(item) + "; see " + item.entry;
+             limit(item) + (item.entry.empty() ? "" : "; see " + item.entry);
     }
   } // namespace
 

@@ -74,7 +74,7 @@ def require_charge(output):
 def require_own_names(output):
     """What was taken for granted is decided by entries as the scene calls
     them, of a stage only where the scene has none."""
-    wanted = {"symmetry": "Scene/Symmetry", "rigid_body": "Scene/Accuracy",
+    wanted = {"symmetry": "Scene/Symmetry", "rigid_body": "",
               "viscosity": "Scene/End time", "gravity": "Scene/End time",
               "reflection": "Scene/End time",
               "first_stage": "Blast/First stage/Hand over at",
@@ -117,6 +117,10 @@ def scene_run(case, check_bound, read_summary):
     case.run(output, ["--resume", "--set", "Scene/Report=false"])
     require(statuses(output) == dict.fromkeys(ALL_STAGES, "reused"),
             f"stages of a second run are {statuses(output)}")
+    case.run(output, ["--resume", "--set", "Scene/Report=false"],
+             file=os.path.join(output, "parameters.prm"))
+    require(statuses(output) == dict.fromkeys(ALL_STAGES, "reused"),
+            f"stages of a run of its parameters.prm are {statuses(output)}")
     before = injury_table(output)
     case.run(output, ["--overwrite", "--set", "Tissues/Set=physiological",
                       "--set", "Scene/Report=false"])

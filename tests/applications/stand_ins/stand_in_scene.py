@@ -17,7 +17,7 @@ ENTRIES = {"Flaw": "none", "Tissues/Set": "first", "Pause": "0.4", "Large": "",
 
 
 # Of what it takes for granted, and the entries that decide otherwise.
-OWN_NAMES = {"symmetry": "Scene/Symmetry", "rigid_body": "Scene/Accuracy",
+OWN_NAMES = {"symmetry": "Scene/Symmetry", "rigid_body": "",
              "viscosity": "Scene/End time", "gravity": "Scene/End time",
              "reflection": "Scene/End time",
              "first_stage": "Blast/First stage/Hand over at",

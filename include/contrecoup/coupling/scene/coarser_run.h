@@ -25,7 +25,8 @@ struct CoarserRun
   static constexpr double element_ratio = 5. / 3.;
 
   /**
-   * Changes to the entries of `blast` that double its cells; no fields.
+   * Changes to the entries of `blast` that double its cells; neither fields nor
+   * pictures.
    * @param prm entries of the scene's blast
    * @throws InputError if the cells at the skin are those of the coarsest level
    */

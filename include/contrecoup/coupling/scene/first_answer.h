@@ -6,21 +6,61 @@
 #include <contrecoup/coupling/scene/scene_layout.h>
 #include <contrecoup/coupling/scene/scene_parameters.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace contrecoup::coupling
 {
+/// What tables alone tell of a blast in free air: the incident wave at the
+/// body's distance, and what it does to eardrums and lungs.
+struct TableAnswer
+{
+  /// Effect of a wave on a person at this distance.
+  struct Effect
+  {
+    double overpressure;    ///< peak that bursts eardrums [Pa]
+    double eardrum_rupture; ///< probability [-]
+    double lung_exposure;   ///< load over that which kills half [-]
+    double lung_lethality;  ///< probability [-]
+  };
+
+  double arrival;       ///< [s]
+  double impulse;       ///< of the positive phase [Pa s]
+  double duration;      ///< of the positive phase [s]
+  Effect in_the_open;   ///< under the incident wave
+  Effect before_a_wall; ///< under its reflection at a wall, normal incidence
+};
+
+
+/// The answer of the tables at the body's distance; nothing where they do not
+/// cover charge and distance.
+/// @param body_mass [kg]
+std::optional<TableAnswer> table_answer(const SceneParameters &scene,
+                                        const SceneLayout &layout,
+                                        double body_mass);
+
+/// Words on the TNT equivalence by which tables are entered: factors, source,
+/// and that it is an estimate if it was not measured.
+std::string equivalence_in_words(const Explosive &explosive);
+
+/// A probability in per cent: "more than 99 %", "less than 0.1 %".
+std::string percent(double probability);
+
 /**
  * A first answer without a run, as lines for the screen: the blast wave at the
  * body's distance by the tables of Kingery and Bulmash for the TNT equivalence
  * of the explosive, and what its incident and its reflected peak would do to
  * eardrums and lungs. Ground reflection, afterburn, the body's shape and its
- * tissues are left out.
+ * tissues are left out, and walls that the user adds.
  *
  * @param body_mass [kg]
+ * @param person who is in the scene, in words; empty: not said
+ * @param walls sides of the domain that the user made walls, in words
  */
 std::vector<std::string> first_answer(const SceneParameters &scene,
                                       const SceneLayout &layout,
-                                      const double body_mass);
+                                      double body_mass,
+                                      const std::string &person = "",
+                                      const std::string &walls = "");
 } // namespace contrecoup::coupling

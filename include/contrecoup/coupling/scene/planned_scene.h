@@ -3,8 +3,11 @@
 
 #pragma once
 
+#include <contrecoup/base/parameters/parameter_file.h>
 #include <contrecoup/base/run/simulation.h>
+#include <contrecoup/coupling/scene/person.h>
 #include <contrecoup/coupling/scene/scene_layout.h>
+#include <contrecoup/coupling/scene/scene_plan.h>
 #include <contrecoup/coupling/scene/tissue_places.h>
 #include <contrecoup/geometry/body/body_description.h>
 
@@ -17,8 +20,10 @@ class PlannedScene
 {
 public:
   /// @param prm entries of the scene, declared and parsed
+  /// @param wrote all assignments of the user
   /// @throws InputError for an impossible scene
-  explicit PlannedScene(dealii::ParameterHandler &prm);
+  PlannedScene(dealii::ParameterHandler &prm,
+               const std::vector<Assignment> &wrote);
 
   const SceneParameters &parameters() const
   {
@@ -45,6 +50,12 @@ public:
     return body_mass_;
   }
 
+  /// Who is in the scene and how the person is turned to the charge.
+  const Person &person() const
+  {
+    return *person_;
+  }
+
   const SceneLayout &layout() const
   {
     return *layout_;
@@ -65,17 +76,22 @@ public:
   /// Logs layout and plan.
   void print() const;
 
+  /// What tables alone tell, as lines for the screen.
+  std::vector<std::string> first_answer() const;
+
 private:
   /// Computes the mass of the body and, if injury is asked for, the probes in
   /// tissues.
-  void find_body();
+  void find_body(dealii::ParameterHandler &prm);
 
   SceneParameters parameters_;
   BodyDescription description_;
   BodyPointer body_;
   double body_mass_ = 0.;
+  std::optional<Person> person_;
   std::optional<SceneLayout> layout_;
   std::vector<TissuePlace> tissue_places_;
+  std::vector<ChosenSide> sides_;
   std::vector<Assumption> plan_;
 };
 } // namespace contrecoup::coupling

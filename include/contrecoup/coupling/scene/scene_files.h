@@ -12,6 +12,9 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <functional>
+#include <map>
+#include <string>
+#include <vector>
 
 namespace contrecoup::coupling
 {
@@ -41,16 +44,28 @@ biomechanics_entries(const SceneParameters &scene,
                      double body_mass);
 /// @}
 
-/// Parameter file of a task.
 /// Changes to the entries of a stage, as a function of the entries.
 using EntryChanges =
   std::function<std::vector<Assignment>(const dealii::ParameterHandler &)>;
 
+/// Parameter file of a task.
 struct TaskText
 {
   std::string text; ///< content, all entries
   SceneWords words; ///< translation of the task's messages
+  std::map<std::string, std::string> values; ///< by path of the entry
 };
+
+
+/**
+ * Content of the parameter file that repeats a scene: all entries of the scene
+ * itself, and of its stages those that the user wrote, for the scene determines
+ * the others.
+ * @param prm all entries of the scene
+ * @param wrote all assignments of the user
+ */
+std::string scene_text(const dealii::ParameterHandler &prm,
+                       const std::vector<Assignment> &wrote);
 
 
 /**

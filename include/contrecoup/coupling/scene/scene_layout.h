@@ -8,6 +8,7 @@
 #include <contrecoup/numerics/injury/expected_blast.h>
 
 #include <array>
+#include <optional>
 
 namespace contrecoup::coupling
 {
@@ -29,7 +30,7 @@ struct SceneLayout
   /**
    * Determines the position of the charge, the plane of symmetry, and a domain
    * so large that the time to first reflection from an open side (taken as a
-   * mirror) at the body is later than the end time. The front is that of
+   * mirror) at body and probe is later than the end time. The front is that of
    * ExpectedBlast in free air of 101325 Pa and 1.225 kg/m^3.
    * @param surface surface of the body
    * @throws InputError for a charge that overlaps the body or the ground or is
@@ -45,8 +46,12 @@ struct SceneLayout
   dealii::BoundingBox<3> body;
   dealii::Point<3> charge; ///< centre of the charge [m]
   double charge_radius;    ///< [m]
-  double distance;         ///< from the charge's centre to the body [m]
-  double asymmetry;        ///< of the body about y = 0 [m]
+  /// From the charge's centre to the nearest point of the skin [m]
+  double distance;
+  /// From the charge's centre to the skin along -x [m]; NaN where that line
+  /// misses the body
+  double distance_along_x;
+  double asymmetry; ///< of the body about y = 0 [m]
   /// Largest asymmetry for which only half of the gas is computed: a hundredth
   /// of the body's width, less than the natural asymmetry of persons [m].
   double symmetry_limit;
@@ -55,8 +60,7 @@ struct SceneLayout
   /// a charge [s]
   double earliest_arrival;
   /// Expected arrival of the front at the body [s] and its overpressure [Pa]:
-  /// by Kingery and Bulmash where they cover charge and distance, else those of
-  /// the point source.
+  /// see IncidentWave.
   double arrival, overpressure;
   /// Time when the ground reflection has passed the body [s]
   double last_arrival;
@@ -69,6 +73,9 @@ struct SceneLayout
   /// Largest distance of the front at the end time: that of a charge on the
   /// ground [m].
   double front_distance;
+  /// Probe of the wave in the air beside the body, at the body's distance from
+  /// the charge; none where the charge is too near.
+  std::optional<dealii::Point<3>> probe;
   dealii::Point<3> lower, upper; ///< corners of the domain [m]
   std::array<unsigned int, 3> n_leaves;
 
@@ -91,6 +98,7 @@ private:
   void expect_front(const SceneParameters &scene, const ExpectedBlast &blast);
   void check_charge(const SceneParameters &scene) const;
   void find_symmetry(const SceneParameters &scene, const Shape &surface);
+  void place_probe();
   /// Numbers of coarse leaves per direction, below and above 0, that the
   /// domain needs for a front that travels @p front_distance [m].
   std::array<std::array<double, 2>, 3> leaves_for(double front_distance) const;

@@ -3,16 +3,30 @@
 
 #pragma once
 
+#include <contrecoup/base/parameters/parameter_file.h>
+#include <contrecoup/materials/explosives.h>
+#include <contrecoup/numerics/injury/incident_wave.h>
+
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/point.h>
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace contrecoup::coupling
 {
+/// An entry of the user that changes a value of a library.
+struct ChangedEntry
+{
+  std::string entry;  ///< path in the scene
+  std::string value;  ///< with its unit
+  std::string before; ///< value of the library, with its unit
+};
+
+
 /// Parameters of a scene, read from its parameter file.
 struct SceneParameters
 {
@@ -35,8 +49,15 @@ struct SceneParameters
   /// these applications.
   static void declare_parameters(dealii::ParameterHandler &prm);
 
+  /// The same without those of applications.
+  static void declare_own(dealii::ParameterHandler &prm);
+
+  /// Whether an entry is one of an application.
+  static bool is_of_stage(const Assignment &assignment);
+
   /// Reads "Scene", "Charge" and "Tissues".
-  /// @throws InputError for a charge without a position.
+  /// @throws InputError for a charge without a position and for an explosive
+  /// that is not known or cannot be computed with
   void parse_parameters(dealii::ParameterHandler &prm);
 
   /// Sets the edge of the elements unless an entry gives it: that of the
@@ -44,6 +65,12 @@ struct SceneParameters
   /// alone has several elements through scalp and skull.
   /// @param body bounding box of the body [m]
   void fit_elements(const dealii::BoundingBox<3> &body);
+
+  /// Energy of the charge, of detonation and afterburn [J].
+  double energy() const;
+
+  /// What is known beforehand of the charge's wave in free air.
+  IncidentWave incident_wave() const;
 
   bool wants_injury() const
   {
@@ -63,7 +90,10 @@ struct SceneParameters
   bool draws_report = true; ///< report.html
   /// Whether a coarser run estimates the numerical error
   bool estimates_error = true;
-  std::string explosive; ///< name in the library of explosives
+  Explosive explosive; ///< of the library or of the user
+  /// Entries of a custom explosive as the user gave them, without empty ones;
+  /// empty for explosives of the library.
+  std::vector<std::pair<std::string, std::string>> custom_entries;
   double mass = 0.;      ///< [kg]
   double afterburn = 0.; ///< energy [J/kg]
   /// Whether the energy of afterburn is that of the library of explosives
@@ -73,5 +103,13 @@ struct SceneParameters
   /// Position of the charge's centre instead [m]
   std::optional<dealii::Point<3>> place;
   std::string tissues; ///< set in the tissue library
+  /// Values of explosive and tissues that are not those of the libraries.
+  std::vector<ChangedEntry> changes;
+
+private:
+  void parse_scene(dealii::ParameterHandler &prm);
+  void parse_charge(dealii::ParameterHandler &prm);
+  /// Reads entry and subsection of the explosive.
+  void parse_explosive(dealii::ParameterHandler &prm);
 };
 } // namespace contrecoup::coupling

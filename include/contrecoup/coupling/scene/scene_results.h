@@ -10,18 +10,21 @@
 namespace contrecoup::coupling
 {
 /// Logs the audit of a scene: measured values of the assumptions of scene and
-/// blast.
+/// blast, and a warning where the blast and the tables differ by more than
+/// their errors.
 void print_audit(const PlannedScene &scene, const std::string &folder);
 
 /**
  * Writes scene.json: the scene, its tasks, plan and audit, as far as known.
  * @param reused names of the tasks whose results are reused
+ * @param warnings of the scene itself, without those of its stages
  * @param n_ranks number of ranks of the run
  * @throws SystemError when the disk fails
  */
 void write_scene(const PlannedScene &scene,
                  const std::vector<SceneTask> &tasks,
                  const std::vector<std::string> &reused,
+                 const std::vector<std::string> &warnings,
                  const io::CommandLine &command,
                  unsigned int n_ranks);
 } // namespace contrecoup::coupling

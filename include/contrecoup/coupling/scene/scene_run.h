@@ -32,9 +32,13 @@ public:
   void execute();
 
 private:
-  /// Prints the cost estimates of the unfinished tasks and their sum.
+  /// Cost estimate of a task; nothing where an optional one cannot be run.
+  std::optional<CostEstimate> cost_of(SceneTask &task);
+  /// Prints the cost estimates of the unfinished tasks, of drawing, and their
+  /// sum.
   void print_costs();
-  /// Prints the cost estimates before a run.
+  /// Checks all stages before the first one begins, with cost estimates if the
+  /// scene wants them.
   void forecast();
   /// Whether the folder holds a scene and no other run.
   bool is_of_scene() const;

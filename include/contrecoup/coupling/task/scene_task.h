@@ -22,9 +22,10 @@ class SceneTask
 {
 public:
   /// Runs the application with the given arguments; --check stores its cost
-  /// estimate. Collective.
-  using Runner =
-    std::function<Failure(const std::vector<std::string> &, CostEstimate &)>;
+  /// estimate, for which it spends this part of the usual time on trial runs.
+  /// Collective.
+  using Runner = std::function<
+    Failure(const std::vector<std::string> &, double, CostEstimate &)>;
 
   /// State of the task in the scene's folder.
   struct Status
@@ -149,8 +150,9 @@ public:
 
   /// Runs --check of the application and returns its cost estimate.
   /// Collective.
+  /// @param trial_share part of the usual time for trial runs; 0: none
   /// @throws InputError
-  CostEstimate check(Collective &collective);
+  CostEstimate check(double trial_share, Collective &collective);
 
   /**
    * Runs the task unless it is finished; if @p resume, continues from its
@@ -168,6 +170,7 @@ private:
 
   /// Runs the application and translates its messages.
   Failure call(const std::vector<std::string> &arguments,
+               double trial_share,
                CostEstimate &cost) const;
 
   std::string name_;

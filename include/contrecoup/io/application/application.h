@@ -54,6 +54,10 @@ namespace io
     /// Receives the cost estimate of --check instead of the terminal, for
     /// applications that run this one as a part. Empty: not used.
     std::function<void(const CostEstimate &)> on_cost_estimate = {};
+
+    /// Part of the usual processor time that --check may spend on trial runs;
+    /// 0: none, the estimate of the solver counts.
+    double trial_share = 1.;
   };
 
   /**

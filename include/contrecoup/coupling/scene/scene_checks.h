@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/coupling/scene/planned_scene.h>
+#include <contrecoup/coupling/scene/scene_files.h>
+
+namespace contrecoup::coupling
+{
+/**
+ * Checks entries of the blast that the user wrote against the scene: the domain
+ * must hold body and charge, the run must last until the front is at the body,
+ * probes must be in the air, gauges within their radius and two cells of the
+ * skin.
+ * @throws InputError that names the entry and what is allowed
+ */
+void check_blast(const PlannedScene &scene, const TaskText &blast);
+
+/**
+ * Checks biomechanics against the blast: it may not last longer than the loads,
+ * and its probes must be within an element of the body.
+ * @throws InputError that names the entry and what is allowed
+ */
+void check_biomechanics(const PlannedScene &scene,
+                        const TaskText &blast,
+                        const TaskText &biomechanics);
+} // namespace contrecoup::coupling

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/coupling/scene/first_answer.h>
+
+#include <string>
+#include <vector>
+
+namespace contrecoup::coupling
+{
+/// A quantity at the probe beside the body, by the run and by the tables.
+struct ComparedQuantity
+{
+  std::string name; ///< as in the blast's results and in probe_injury.csv
+  std::string unit;
+  double run;
+  /// Numerical error of the run by its coarser run [-]; NaN: unknown.
+  double run_error;
+  double tables;
+  /// Error of the tables with this TNT equivalence [-].
+  double tables_error;
+  /// Whether both differ by more than their errors, in a direction that
+  /// reflections by the ground cannot explain.
+  bool differs;
+};
+
+
+/**
+ * Compares the blast of a finished run with the tables: wave and injuries in
+ * the open at the probe beside the body. Empty without that probe, without
+ * results, and where the tables do not cover the distance.
+ *
+ * @param folder of the scene
+ * @param body_mass [kg]
+ */
+std::vector<ComparedQuantity> compare_with_tables(const SceneParameters &scene,
+                                                  const SceneLayout &layout,
+                                                  double body_mass,
+                                                  const std::string &folder);
+
+/// A warning that names what differs by more than its errors; empty if nothing
+/// does.
+std::string warning_of(const std::vector<ComparedQuantity> &compared,
+                       const Explosive &explosive);
+} // namespace contrecoup::coupling

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/system/text.h>
+#include <contrecoup/coupling/scene/person.h>
+
+#include <boost/math/constants/constants.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace contrecoup::coupling
+{
+using dealii::Point;
+using dealii::Tensor;
+
+namespace
+{
+  constexpr double degree = boost::math::double_constants::degree; // [rad]
+
+  /// Place of a landmark; nothing without one of that name.
+  std::optional<Point<3>> find_landmark(const Body &body,
+                                        const std::string &name)
+  {
+    for (const Landmark &landmark : body.landmarks())
+      if (landmark.name == name)
+        return landmark.place;
+    return {};
+  }
+
+
+  /// Axes of a person whose posture a file gives, from the landmarks.
+  std::optional<PersonAxes> axes_by_landmarks(const Body &body)
+  {
+    const auto chest = find_landmark(body, "chest");
+    const auto back = find_landmark(body, "back");
+    const auto left = find_landmark(body, "left ear");
+    const auto right = find_landmark(body, "right ear");
+    if (!chest || !back || !left || !right)
+      return {};
+    PersonAxes axes;
+    axes.left = *left - *right;
+    axes.left /= axes.left.norm();
+    axes.forward = *chest - *back;
+    axes.forward -= (axes.forward * axes.left) * axes.left;
+    axes.forward /= axes.forward.norm();
+    axes.up = cross_product_3d(axes.forward, axes.left);
+    return axes;
+  }
+
+
+  /// Axes of phantom and images, which face +x before they are rotated.
+  PersonAxes axes_by_rotation(const Tensor<1, 3> &angles)
+  {
+    const Placement rotation(1., angles, Tensor<1, 3>());
+    const auto axis = [&](const unsigned int d) {
+      Tensor<1, 3> direction;
+      direction[d] = 1.;
+      return rotation.rotate(direction);
+    };
+    return {axis(0), axis(1), axis(2)};
+  }
+
+
+  /// Extent of a box along a direction, as far as its corners tell [m].
+  double extent(const dealii::BoundingBox<3> &box, const Tensor<1, 3> &up)
+  {
+    // Exact where the direction is that of an edge of the box.
+    double length = 0.;
+    for (unsigned int d = 0; d < 3; ++d)
+      length = std::max(length, std::abs(up[d]) * box.side_length(d));
+    return length;
+  }
+} // namespace
+
+
+Person::Person(dealii::ParameterHandler &prm,
+               const Body &body,
+               const double mass,
+               const Point<3> &charge)
+  : kind_(prm.get("Kind"))
+  , mass_(mass)
+{
+  if (kind_ == "surface")
+    axes_ = axes_by_landmarks(body);
+  else if (kind_ == "phantom" || kind_ == "image")
+    axes_ = axes_by_rotation(Placement::read_rotation(prm));
+  const auto box = body.surface()->bounding_box();
+  to_charge_ = charge - box.center();
+  length_ = axes_ ? extent(box, axes_->up) : box.side_length(2);
+  if (kind_ == "phantom")
+  {
+    length_ = read_double(prm, "Scale");
+    const Section section(prm, "Phantom");
+    length_ *= read_double(prm, "Stature");
+  }
+}
+
+
+std::string Person::posture() const
+{
+  constexpr double nearly = 0.9;
+  if (!axes_)
+    return "";
+  const double upright = axes_->up[2];
+  if (upright > nearly)
+    return "standing";
+  if (upright < -nearly)
+    return "upside down";
+  return std::abs(upright) < 0.3 ? "lying" : "inclined";
+}
+
+
+std::string Person::description() const
+{
+  const std::string size =
+    " of " + brief(length_, 4) + " m and " + brief(mass_, 3) + " kg";
+  if (kind_ == "image")
+    return "a body of medical images" + size;
+  if (!axes_)
+    return "a " + kind_ + size;
+  const std::string posture_name = posture();
+  return std::string(posture_name == "inclined" ? "an " : "a ") +
+         (posture_name == "upside down" ? "person upside down"
+                                        : posture_name + " person") +
+         size;
+}
+
+
+double Person::charge_azimuth() const
+{
+  if (!axes_)
+    return std::numeric_limits<double>::quiet_NaN();
+  return std::atan2(to_charge_ * axes_->left, to_charge_ * axes_->forward) /
+         degree;
+}
+
+
+double Person::charge_elevation() const
+{
+  if (!axes_)
+    return std::numeric_limits<double>::quiet_NaN();
+  const double sine = to_charge_ * axes_->up / to_charge_.norm();
+  return std::asin(std::clamp(sine, -1., 1.)) / degree;
+}
+
+
+std::string Person::side_to_charge() const
+{
+  constexpr double steep = 60., oblique = 45., behind = 135.; // [degrees]
+  if (!axes_)
+    return "";
+  const double elevation = charge_elevation(), azimuth = charge_azimuth();
+  if (std::abs(elevation) > steep)
+    return elevation > 0. ? "head" : "feet";
+  if (std::abs(azimuth) <= oblique)
+    return "front";
+  if (std::abs(azimuth) >= behind)
+    return "back";
+  return azimuth > 0. ? "left side" : "right side";
+}
+} // namespace contrecoup::coupling

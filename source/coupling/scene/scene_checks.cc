@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/text.h>
+#include <contrecoup/coupling/scene/scene_checks.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace contrecoup::coupling
+{
+using dealii::Point;
+
+namespace
+{
+  constexpr double round_off = 1e-6; // [m]
+
+  std::string text_of(const Point<3> &point)
+  {
+    return brief(point[0]) + ", " + brief(point[1]) + ", " + brief(point[2]);
+  }
+
+
+  /// A point of the text; nothing if it is none, which the stage refuses.
+  std::optional<Point<3>> point_of(const std::string &text)
+  {
+    const std::vector<std::string> words = split(text, ',');
+    if (words.size() != 3)
+      return {};
+    Point<3> point;
+    for (unsigned int d = 0; d < 3; ++d)
+    {
+      char *end = nullptr;
+      point[d] = std::strtod(words[d].c_str(), &end);
+      if (words[d].empty() || *end != '\0')
+        return {};
+    }
+    return point;
+  }
+
+
+  /// Points "x, y, z; x, y, z" of an entry.
+  std::vector<Point<3>> points_of(const std::string &text)
+  {
+    std::vector<Point<3>> points;
+    for (const std::string &part : split(text, ';'))
+      if (const auto point = point_of(part))
+        points.push_back(*point);
+    return points;
+  }
+
+
+  dealii::BoundingBox<3> domain_of(const TaskText &blast)
+  {
+    const auto lower = point_of(blast.values.at("Domain/Lower corner"));
+    const auto upper = point_of(blast.values.at("Domain/Upper corner"));
+    if (blast.values.at("Domain/Dimension") != "3" || !lower || !upper)
+      throw InputError("Blast/Domain: the gas around a body needs Dimension = "
+                       "3 and corners of three numbers");
+    return dealii::BoundingBox<3>({*lower, *upper});
+  }
+
+
+  void check_domain(const PlannedScene &scene,
+                    const dealii::BoundingBox<3> &domain)
+  {
+    const SceneLayout &layout = scene.layout();
+    const auto require = [&](const Point<3> &lower,
+                             const Point<3> &upper,
+                             const std::string &what) {
+      for (unsigned int d = 0; d < 3; ++d)
+      {
+        const bool is_cut = d == 1 && layout.is_half;
+        if ((lower[d] < domain.lower_bound(d) - round_off && !is_cut) ||
+            upper[d] > domain.upper_bound(d) + round_off)
+          throw InputError("Blast/Domain: from " +
+                           text_of(domain.get_boundary_points().first) +
+                           " to " +
+                           text_of(domain.get_boundary_points().second) +
+                           " m it does not hold " + what + ", which is from " +
+                           text_of(lower) + " to " + text_of(upper) + " m");
+      }
+    };
+    const auto corners = layout.body.get_boundary_points();
+    require(corners.first, corners.second, "the body");
+    Point<3> lower = layout.charge, upper = layout.charge;
+    for (unsigned int d = 0; d < 3; ++d)
+    {
+      lower[d] -= layout.charge_radius;
+      upper[d] += layout.charge_radius;
+    }
+    lower[2] = std::max(0., lower[2]);
+    require(lower, upper, "the charge");
+  }
+
+
+  void check_probes(const PlannedScene &scene,
+                    const TaskText &blast,
+                    const dealii::BoundingBox<3> &domain)
+  {
+    for (const Point<3> &probe : points_of(blast.values.at("Probes/Points")))
+    {
+      const std::string where =
+        "Blast/Probes/Points: " + text_of(probe) + " m ";
+      if (!domain.point_inside(probe, round_off))
+        throw InputError(where + "is outside of the domain, from " +
+                         text_of(domain.get_boundary_points().first) + " to " +
+                         text_of(domain.get_boundary_points().second) + " m");
+      if (scene.body().surface()->value(probe) < 0.)
+        throw InputError(where + "is in the body; Blast/Loads/Gauges are on "
+                                 "its skin, Biomechanics/Probes/Points in it");
+    }
+  }
+
+
+  void check_gauges(const PlannedScene &scene, const TaskText &blast)
+  {
+    const double allowed = std::stod(blast.values.at("Loads/Gauge radius")) +
+                           2. * scene.layout().cell_size();
+    for (const std::string &gauge : split(blast.values.at("Loads/Gauges"), ';'))
+    {
+      const std::size_t colon = gauge.find(':');
+      const auto place =
+        point_of(colon == std::string::npos ? "" : gauge.substr(colon + 1));
+      if (!place)
+        continue;
+      const double distance = scene.body().surface()->distance(*place);
+      if (std::abs(distance) > allowed)
+        throw InputError(
+          "Blast/Loads/Gauges: \"" + trim(gauge.substr(0, colon)) + "\" at " +
+          text_of(*place) + " m is " + brief(std::abs(distance), 3) +
+          " m from the skin, " + "farther than its radius and two cells, " +
+          brief(allowed, 3) + " m; the nearest skin is at " +
+          text_of(scene.body().surface()->project(*place)) + " m");
+    }
+  }
+} // namespace
+
+
+void check_blast(const PlannedScene &scene, const TaskText &blast)
+{
+  const double arrival = scene.layout().arrival;
+  const double end = std::stod(blast.values.at("Time/End time"));
+  if (end <= arrival)
+    throw InputError(blast.words("Time/End time") + " = " + brief(end) +
+                     " s: the blast reaches the body at " + brief(arrival) +
+                     " s only");
+  const dealii::BoundingBox<3> domain = domain_of(blast);
+  check_domain(scene, domain);
+  check_probes(scene, blast, domain);
+  check_gauges(scene, blast);
+}
+
+
+void check_biomechanics(const PlannedScene &scene,
+                        const TaskText &blast,
+                        const TaskText &biomechanics)
+{
+  const std::string entry = "Time/End time";
+  const double loads_end = std::stod(blast.values.at(entry));
+  const double end = std::stod(biomechanics.values.at(entry));
+  if (end > loads_end * (1. + 1e-9))
+    throw InputError(biomechanics.words(entry) + " = " + brief(end) +
+                     " s: the loads of the blast end at " + brief(loads_end) +
+                     " s (" + blast.words(entry) + ")");
+  const double element = scene.parameters().element_size;
+  for (const Point<3> &probe :
+       points_of(biomechanics.values.at("Probes/Points")))
+  {
+    const double outside = scene.body().surface()->distance(probe);
+    if (outside > element)
+      throw InputError("Biomechanics/Probes/Points: " + text_of(probe) +
+                       " m is " + brief(outside, 3) +
+                       " m outside of the body, farther than an element, " +
+                       brief(element) + " m");
+  }
+}
+} // namespace contrecoup::coupling

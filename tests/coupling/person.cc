@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/parameters/parameter_tree.h>
+#include <contrecoup/coupling/scene/person.h>
+#include <contrecoup/geometry/body/body_description.h>
+#include <contrecoup/geometry/shape/primitive_shapes.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace contrecoup;
+using namespace contrecoup::coupling;
+using dealii::Point;
+using dealii::Tensor;
+
+namespace
+{
+using Lines = std::vector<std::string>;
+
+/// A box as tall as a man, centred on the z axis, with landmarks that face +y.
+ShapeBody box_with_landmarks()
+{
+  const auto surface = std::make_shared<RoundedBox>(
+    Point<3>(0., 0., 0.9), Point<3>(0.25, 0.15, 0.9), 0.05);
+  ShapeBody body(surface, {{{"all", Tissue::soft_tissue}, surface}});
+  body.set_landmarks({{"chest", {0.01, 0.15, 1.3}},
+                      {"back", {0., -0.15, 1.25}},
+                      {"left ear", {-0.08, 0., 1.65}},
+                      {"right ear", {0.08, 0., 1.65}}});
+  return body;
+}
+
+
+Person person_by(const Lines &lines,
+                 const Point<3> &charge = Point<3>(3., 0., 1.))
+{
+  dealii::ParameterHandler prm;
+  BodyDescription::declare_parameters(prm);
+  std::vector<Assignment> assignments;
+  for (const std::string &line : lines)
+    assignments.push_back(parse_override(line));
+  apply_assignments(assignments, prm);
+  return {prm, box_with_landmarks(), 58., charge};
+}
+} // namespace
+
+
+TEST(Person, IsNamedByTheSideThatFacesTheCharge)
+{
+  for (const auto &[rotation, side, posture] :
+       std::vector<std::array<std::string, 3>>{
+         {"0, 0, 0", "front", "standing"},
+         {"0, 0, 40", "front", "standing"},
+         {"0, 0, 90", "right side", "standing"},
+         {"0, 0, 180", "back", "standing"},
+         {"0, 0, -90", "left side", "standing"},
+         {"0, 90, 0", "head", "lying"},
+         {"0, -90, 0", "feet", "lying"},
+         {"180, 0, 0", "front", "upside down"},
+         {"0, 45, 0", "front", "inclined"}})
+  {
+    const Person person = person_by({"Rotation=" + rotation});
+    EXPECT_EQ(person.side_to_charge(), side) << rotation;
+    EXPECT_EQ(person.posture(), posture) << rotation;
+  }
+}
+
+
+TEST(Person, HasTheAzimuthOfTheChargeFromTheFrontToTheLeft)
+{
+  const Person turned = person_by({"Rotation=0, 0, -30"});
+  EXPECT_NEAR(turned.charge_azimuth(), 30., 1e-6);
+  const Person above = person_by({}, Point<3>(2., 0., 0.9 + 2.));
+  EXPECT_NEAR(above.charge_elevation(), 45., 1e-6);
+}
+
+
+TEST(Person, IsDescribedByStatureAndMass)
+{
+  EXPECT_EQ(
+    person_by({"Phantom/Stature=1.62", "Phantom/Mass=58"}).description(),
+    "a standing person of 1.62 m and 58 kg");
+  EXPECT_EQ(person_by({"Phantom/Stature=1.6", "Scale=0.5"}).length(), 0.8);
+  EXPECT_EQ(person_by({"Kind=shape"}).description(),
+            "a shape of 1.8 m and 58 kg");
+  EXPECT_FALSE(person_by({"Kind=shape"}).axes());
+  EXPECT_TRUE(std::isnan(person_by({"Kind=shape"}).charge_azimuth()));
+  EXPECT_EQ(person_by({"Kind=shape"}).side_to_charge(), "");
+}
+
+
+// Whatever the entries, a person in a file faces where its landmarks say.
+TEST(Person, OfASurfaceFacesAsItsLandmarks)
+{
+  const Person person = person_by({"Kind=surface"});
+  ASSERT_TRUE(person.axes());
+  EXPECT_NEAR(person.axes()->forward[1], 1., 1e-12);
+  EXPECT_NEAR(person.axes()->left[0], -1., 1e-12);
+  EXPECT_NEAR(person.axes()->up[2], 1., 1e-12);
+  EXPECT_EQ(person.side_to_charge(), "right side");
+  EXPECT_NEAR(person.length(), 1.8, 1e-12);
+}

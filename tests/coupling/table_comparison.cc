@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/coupling/scene/table_comparison.h>
+#include <contrecoup/geometry/shape/primitive_shapes.h>
+#include <contrecoup/io/file/temporary_folder.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+using namespace contrecoup;
+using namespace contrecoup::coupling;
+using dealii::Point;
+
+namespace
+{
+SceneParameters scene_of(const std::string &explosive, const double height)
+{
+  SceneParameters scene;
+  scene.accuracy = SceneParameters::accuracies[0];
+  scene.explosive = find_explosive(explosive);
+  scene.mass = 1.;
+  scene.place = Point<3>(2.15, 0., height);
+  scene.end_time = 0.01;
+  scene.symmetry = "none";
+  return scene;
+}
+
+
+SceneLayout layout_of(const SceneParameters &scene)
+{
+  return {scene,
+          RoundedBox(Point<3>(0., 0., 0.9), Point<3>(0.15, 0.25, 0.9), 0.05)};
+}
+
+
+/// Writes what a blast finds at its probe: the tables' values times @p factor.
+void write_blast(const std::string &folder,
+                 const TableAnswer &tables,
+                 const double factor)
+{
+  std::filesystem::create_directories(folder);
+  const double peak = tables.in_the_open.overpressure;
+  std::ofstream(folder + "/summary.json")
+    << R"({"results": {"probe_1_peak_overpressure": {"value": )"
+    << factor * peak
+    << R"(}, "probe_1_reference_peak_overpressure": {"value": )" << peak
+    << R"(}, "probe_1_impulse": {"value": )" << factor * tables.impulse
+    << "}}}";
+  std::ofstream(folder + "/probe_injury.csv")
+    << "measure,place,value,unit,definition\nlung_exposure,probe 1,"
+    << factor * tables.in_the_open.lung_exposure << ",-,\"\"\n"
+    << "lung_lethality,probe 1,0.25,-,\"\"\n";
+}
+
+
+/// What is said of a blast that has @p fine times the values of the tables, and
+/// of whose coarser run that has @p coarse times them.
+std::string warning_for(const SceneParameters &scene,
+                        const double fine,
+                        const double coarse)
+{
+  const SceneLayout layout = layout_of(scene);
+  const auto tables = table_answer(scene, layout, 70.);
+  const io::TemporaryFolder folder;
+  write_blast(folder.path() + "/blast", *tables, fine);
+  if (coarse > 0.)
+    write_blast(folder.path() + "/coarser_blast", *tables, coarse);
+  return warning_of(compare_with_tables(scene, layout, 70., folder.path()),
+                    scene.explosive);
+}
+} // namespace
+
+
+TEST(TableComparison, WarnsOfDifferencesBeyondTheErrorsOfBoth)
+{
+  const SceneParameters tnt = scene_of("tnt", 3.);
+  EXPECT_EQ(warning_for(tnt, 0.95, 0.), "");
+  EXPECT_EQ(warning_for(tnt, 1.05, 1.), "");
+  const std::string warning = warning_for(tnt, 0.6, 0.59);
+  EXPECT_EQ(warning.find("WARNING: beside the body, run and tables of Kingery "
+                         "and Bulmash differ by more than their errors: "
+                         "incident peak "),
+            0U)
+    << warning;
+  EXPECT_NE(warning.find("; impulse "), std::string::npos) << warning;
+  EXPECT_NE(warning.find("; death by lung injury in the open 25 % against "),
+            std::string::npos)
+    << warning;
+  // Cells of half the size may give what is missing.
+  EXPECT_EQ(warning_for(tnt, 0.8, 0.65), "");
+}
+
+
+TEST(TableComparison, SaysWhereTheEquivalenceIsAnEstimate)
+{
+  const SceneParameters other = scene_of("composition b", 3.);
+  EXPECT_EQ(warning_for(other, 0.85, 0.), "");
+  const std::string warning = warning_for(other, 0.6, 0.);
+  EXPECT_NE(warning.find("(as 1.18 times its mass of TNT: ratio of detonation "
+                         "energies, an estimate, not measured)"),
+            std::string::npos)
+    << warning;
+  EXPECT_EQ(warning.find("numerical error"), std::string::npos) << warning;
+}
+
+
+// Beside a high charge the front comes alone; of a low one it has merged with
+// its reflection, which raises the peak. Reflections that follow raise impulses
+// in any case.
+TEST(TableComparison, LeavesToTheGroundWhatItMayAdd)
+{
+  const std::string high = warning_for(scene_of("tnt", 3.), 1.4, 0.);
+  EXPECT_NE(high.find("incident peak"), std::string::npos) << high;
+  EXPECT_EQ(high.find("impulse"), std::string::npos) << high;
+  EXPECT_EQ(warning_for(scene_of("tnt", 0.5), 1.4, 0.), "");
+}
+
+
+TEST(TableComparison, IsEmptyWithoutAProbe)
+{
+  const SceneParameters scene = scene_of("tnt", 1.);
+  const io::TemporaryFolder folder;
+  EXPECT_TRUE(
+    compare_with_tables(scene, layout_of(scene), 70., folder.path()).empty());
+}
