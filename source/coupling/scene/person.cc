@@ -43,10 +43,11 @@ namespace
     PersonAxes axes;
     axes.left = *left - *right;
     axes.left /= axes.left.norm();
-    axes.forward = *chest - *back;
-    axes.forward -= (axes.forward * axes.left) * axes.left;
-    axes.forward /= axes.forward.norm();
-    axes.up = cross_product_3d(axes.forward, axes.left);
+    // From the middle of the trunk to that of the head.
+    axes.up = 0.5 * ((*left - *chest) + (*right - *back));
+    axes.up -= (axes.up * axes.left) * axes.left;
+    axes.up /= axes.up.norm();
+    axes.forward = cross_product_3d(axes.left, axes.up);
     return axes;
   }
 
