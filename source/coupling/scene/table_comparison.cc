@@ -116,6 +116,8 @@ namespace
       return one.unit == "Pa" ? brief(1e-3 * value, 3) + " kPa"
                               : brief(value, 3) + " " + one.unit;
     };
+    if (text(one.run) == text(one.tables))
+      return "";
     const bool with_error = one.unit != "-" && std::isfinite(one.run_error);
     return title + " " + text(one.run) +
            (with_error
