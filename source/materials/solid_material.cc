@@ -28,8 +28,9 @@ SolidKinematics find_solid_kinematics(const std::string &name)
 
 double SolidMaterial::relaxation_modulus(const double time) const
 {
-  return instantaneous_shear +
-         relaxing_shear * std::expm1(-time / relaxation_time);
+  return time > 0. ? instantaneous_shear +
+                       relaxing_shear * std::expm1(-time / relaxation_time)
+                   : instantaneous_shear;
 }
 
 
@@ -89,9 +90,9 @@ void SolidMaterial::check(const std::string &name) const
     refuse("relaxing shear modulus = " + brief(relaxing_shear) +
            " Pa must be from 0 to the instantaneous one, " +
            brief(instantaneous_shear) + " Pa");
-  if (is_viscoelastic() && !(relaxation_time > 0.))
+  if (is_viscoelastic() && !(relaxation_time >= 0.))
     refuse("relaxation time = " + brief(relaxation_time) +
-           " s must be above 0");
+           " s must not be below 0");
 }
 
 

@@ -49,7 +49,6 @@ namespace
     law.twice_relaxing = 2. * material.relaxing_shear;
     law.decay_before = law.decay_after =
       std::exp(-step / material.relaxation_time);
-    law.dissipation_per_strain = 0.;
     law.gas = material.gas;
     return law;
   }

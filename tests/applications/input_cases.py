@@ -99,6 +99,47 @@ def refused_entries():
                f'{path} = "{value}" is ')
 
 
+def refused_selections():
+    """Entries that select nothing, or not what they say."""
+    extent = "the body lies from (0, 0, 0) to ("
+    for path, value, reason in [
+            ("Supports/Support far/Where", "x < -1",
+             f'Where = "x < -1" selects no node of the body: {extent}'),
+            ("Loads/Load far/Where", "y > 20",
+             f"selects no facet of the body's surface: {extent}"),
+            ("Mesh/Region far/Where", "x > 50", "selects no element"),
+            ("Mesh/Refined where", "x > 50", "selects no element"),
+            ("Mesh/Tissue", "bran", 'did you mean "brain"?'),
+            ("Probes/Points", "0.05,0,0; 5,0,0",
+             "probe 2 at (5, 0, 0) m is outside of the body"),
+            ("Injury/Active", "true",
+             "Injury/Active = true: injuries of brain and lung are reported"),
+            ("Materials/Cavitating tissues", "skeleton, brain",
+             'Materials/Cavitating tissues (brain) = "brain" selects no '
+             "element: the tissues of the mesh are skeleton"),
+            ("Materials/Tissue gelatin/Density", "1010",
+             'Materials/Tissue gelatin = "Density = 1010 kg/m^3 instead of '
+             '1060" selects no element'),
+            ("Materials/Tissue foam/Density", "100",
+             "and a new tissue needs Bulk modulus, Shear modulus (or Young's "
+             "modulus and Poisson's ratio)"),
+            ("Materials/Tissue brian/Density", "100",
+             'did you mean "brain"? (known are soft tissue, skin'),
+            ("Materials/Tissue skeleton/Relaxation time", "1",
+             "has no effect, since nothing relaxes"),
+            ("Materials/Tissue skeleton/Relaxing shear modulus", "1e3",
+             "Relaxing shear modulus needs Relaxation time"),
+            ("Materials/Tissue skeleton/Density", "heavy",
+             'allowed: a number from 1e-06 to 1e+06, or "library"')]:
+        yield (f"{path} = {value}", "biomechanics",
+               shipped(BAR, entry(path, value)), reason)
+    tissue = "Materials/Tissue skeleton/"
+    yield ("two ways to moduli", "biomechanics",
+           shipped(BAR, entry(tissue + "Young's modulus", "1e9"),
+                   entry(tissue + "Shear modulus", "1e8")),
+           "Young's modulus and Shear modulus contradict each other")
+
+
 def refused_other_files():
     """Files of other kinds that an entry names."""
     reasons = [(MISSING, "there is no such file"), (A_FOLDER, "it is a folder")]
@@ -302,6 +343,7 @@ def main(programs, repository):
 
     for cases, verdict_of in [(refused_files, judge_refusal),
                               (refused_entries, judge_refusal),
+                              (refused_selections, judge_refusal),
                               (refused_other_files, judge_refusal),
                               (refused_scenes, judge_refusal),
                               (accepted, judge_acceptance)]:

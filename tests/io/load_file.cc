@@ -8,9 +8,13 @@
 #include <contrecoup/io/output/load_reader.h>
 #include <contrecoup/io/output/load_series.h>
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/file.h>
+#include <unistd.h>
 
 #include <array>
+#include <cstdlib>
 #include <filesystem>
 
 using namespace contrecoup::io;
@@ -154,4 +158,29 @@ TEST(LoadFile, TheSeriesListsEachSample)
   write_load_series("points.h5");
   EXPECT_FALSE(std::filesystem::exists("points.xdmf"));
   EXPECT_THROW(write_load_series("none.h5"), contrecoup::InputError);
+}
+
+
+TEST(LoadFile, AnotherProgramsLockIsToldFromDamage)
+{
+  const std::string path = "locked_loads.h5";
+  write_loads(path, make_facets());
+  const int file = ::open(path.c_str(), O_RDONLY);
+  ASSERT_EQ(::flock(file, LOCK_EX), 0);
+  // Without locks the file is read.
+  const char *const locks = std::getenv("HDF5_USE_FILE_LOCKING");
+  try
+  {
+    const Hdf5Input input(path);
+    EXPECT_NE(locks, nullptr);
+  }
+  catch (const contrecoup::InputError &error)
+  {
+    EXPECT_NE(std::string(error.what()).find("locked by another program"),
+              std::string::npos)
+      << error.what();
+  }
+  ::close(file);
+  EXPECT_NO_THROW(const Hdf5Input input(path));
+  std::filesystem::remove(path);
 }

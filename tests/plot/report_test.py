@@ -549,8 +549,8 @@ class ReportTest(unittest.TestCase):
             "The run assumes 3.5 MJ/kg of afterburn (at most 7.3 MJ/kg is "
             "possible), which raises the incident peak by at most 28 % and the incident "
             "impulse by at most 32 %.",
-            "7.7 % of the largest internal energy was stored in hourglass "
-            "modes (warning from 5 %, limit 10 %).",
+            "7.7 % of the largest internal energy of a tissue was stored in "
+            "hourglass modes (limit 10 %).",
             "Beyond its limit: number of cells in the positive phase at the "
             "body (12.3; limit: at least 15).")
         answer = re.search('<div class="doubts">(.*?)</div>', self.page)[1]
@@ -620,10 +620,10 @@ class ReportTest(unittest.TestCase):
                 "back [Pa]": 0. * times})
         text = text_of(Made(folder).page)
         self.expect(
-            text, "2.12 % of the body's energy is missing (limit 1 %) and 7.7 % of "
-            "the largest internal energy was stored in hourglass modes "
-            "(warning from 5 %, limit 10 %), of single tissues 22 % in "
-            "skeleton: their stresses are less certain.",
+            text, "2.12 % of the body's energy is missing (limit 1 %) and 22 % of "
+            "the largest internal energy of a tissue was stored in hourglass "
+            "modes (limit 10 %), 22 % in skeleton: stresses there are less "
+            "certain.",
             "The run leaves out afterburn, which would raise the incident "
             "peak by at most 28 %",
             "The run ends before the positive phase does at chest: the "

@@ -315,3 +315,31 @@ TEST(RecordedLoads, IntervalsShorterThanSamplesChangeNothing)
   }
   std::filesystem::remove(file);
 }
+
+
+// The record ends at 4 ms with 200 Pa left on the first facet if its last
+// sample has them.
+TEST(RecordedLoads, WarnsOfARecordThatEndsEarly)
+{
+  const std::string file = "recorded_early.h5";
+  {
+    io::LoadFile loads(file);
+    loads.create(
+      {{0., 0., 0., 1., 0., 0.}, {-1., 0., 0., 1., 0., 0.}, {1., 2.}, {}},
+      {{"application", "test"}});
+    loads.append({1e-3, 2e-3}, {100.F, -200.F, 10.F, 20.F});
+  }
+  const auto loads = read_loads(file);
+  loads->reinit({{0., 0., 0.}, {1., 0., 0.}},
+                {Point<3>(-1., 0., 0.), Point<3>(2., 0., 0.)},
+                MPI_COMM_SELF);
+  EXPECT_EQ(loads->warning(2e-3), "");
+  EXPECT_EQ(loads->warning(4e-3), "");
+  const std::string warning = loads->warning(0.1);
+  EXPECT_NE(warning.find("the record ends at 0.002 s, the run at 0.1 s"),
+            std::string::npos)
+    << warning;
+  EXPECT_NE(warning.find("-200 Pa are left at (0, 0, 0) m"), std::string::npos)
+    << warning;
+  std::filesystem::remove(file);
+}

@@ -1,11 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Contrecoup authors
 """The audit of a body's energy: what is missing, and what hourglass modes
-store, of the body and of its tissues."""
+store in its tissues."""
 
 from plot.report import page
 
-NOTED_HOURGLASS = 0.05  # from which on biomechanics warns
 HOURGLASS = "hourglass_part"
 
 
@@ -15,7 +14,6 @@ class EnergyAudit:
     def __init__(self, scene):
         body = scene.biomechanics
         self.residual = body.found("checks", "energy_residual")
-        self.hourglass = body.found("checks", HOURGLASS)
         self.largest_residual, self.largest_hourglass = (
             (body.parameter(f"Energy audit/{entry}") or [usual])[0]
             for entry, usual in (("Largest residual", 0.01),
@@ -25,6 +23,10 @@ class EnergyAudit:
         self.tissues = {
             name[len(HOURGLASS) + 1:].replace("_", " "):
             body.found("checks", name) or 0. for name in names}
+        # That of a body is the largest of its tissues.
+        of_all = body.found("checks", HOURGLASS)
+        self.hourglass = None if of_all is None else max(
+            [of_all, *self.tissues.values()])
 
     def is_known(self):
         return None not in (self.residual, self.hourglass)
@@ -35,31 +37,30 @@ class EnergyAudit:
         return page.percent(abs(self.residual), 3)
 
     def high_tissues(self):
-        """Tissues beyond the limit of the body, in words; "" for none."""
+        """Tissues beyond the limit, in words; "" for none."""
         return page.joined(
             f"{page.percent(part)} in {tissue}" for tissue, part in sorted(
                 self.tissues.items(), key=lambda item: -item[1])
             if part > self.largest_hourglass)
 
     def reservations(self):
-        """What is beyond its limit or noted, in a sentence; [] for nothing."""
+        """What is beyond its limit, in a sentence; [] for nothing."""
         found = []
         if self.residual is not None \
                 and abs(self.residual) > self.largest_residual:
             found.append(f"{self.missing()} of the body's energy is missing "
                          f"(limit {_limit(self.largest_residual)})")
-        part, tissues = self.hourglass or 0., self.high_tissues()
-        if tissues or part > min(NOTED_HOURGLASS, self.largest_hourglass):
-            found.append(self._hourglass_words(tissues))
+        if (self.hourglass or 0.) > self.largest_hourglass:
+            found.append(self._hourglass_words())
         return [page.joined(found) + "."] if found else []
 
-    def _hourglass_words(self, tissues):
+    def _hourglass_words(self):
+        tissues = self.high_tissues()
         return (f"{page.percent(self.hourglass)} of the largest internal "
-                "energy was stored in hourglass modes (warning from "
-                f"{_limit(NOTED_HOURGLASS)}, limit "
+                "energy of a tissue was stored in hourglass modes (limit "
                 f"{_limit(self.largest_hourglass)})"
-                + (f", of single tissues {tissues}: their stresses are less "
-                   "certain" if tissues else ""))
+                + (f", {tissues}: stresses there are less certain"
+                   if tissues else ""))
 
     def verdict(self):
         """Whether the audit holds, as a paragraph."""
@@ -73,7 +74,7 @@ class EnergyAudit:
                      kind="good" if holds else "bad"),
             f": {self.missing()} of the energy is missing (limit "
             f"{_limit(self.largest_residual)}), and "
-            + self._hourglass_words(self.high_tissues()) + ".")
+            + self._hourglass_words() + ".")
 
 
 def _limit(part):

@@ -53,6 +53,21 @@ public:
     return gas_fraction_ > 0.;
   }
 
+  double gas_fraction() const
+  {
+    return gas_fraction_;
+  }
+
+  double exponent() const
+  {
+    return exponent_;
+  }
+
+  double max_stiffness() const
+  {
+    return max_stiffness_;
+  }
+
   /// -p / K at a dilatation J - 1.
   double stress(const double dilatation) const
   {

@@ -38,7 +38,7 @@ struct SolidMaterial
   double bulk_modulus = 1e9;       ///< K [Pa]
   double instantaneous_shear = 0.; ///< G_0 [Pa]
   double relaxing_shear = 0.;      ///< G_1 [Pa]; 0: elastic
-  double relaxation_time = 1.;     ///< tau [s]
+  double relaxation_time = 1.;     ///< tau [s]; 0: relaxes at once
   GasFilling gas; ///< if any, K is the modulus at small strains
   /// Tension at which cavities open [Pa]: -p is that at any larger volume.
   double largest_tension = no_cavitation;

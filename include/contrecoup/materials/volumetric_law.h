@@ -20,10 +20,14 @@ struct SolidLaw
   Number bulk;           ///< K [Pa]
   Number twice_shear;    ///< 2 G_0 [Pa]
   Number twice_relaxing; ///< 2 G_1 [Pa]
-  Number decay_before{}; ///< exp(-dt / (2 tau)) of the last step
+  Number decay_before{}; ///< exp(-t / tau) from the stored strain to now
   Number decay_after{};  ///< exp(-dt / (2 tau)) of the next step
-  /// Time over which the branch relaxes at the present strain, over tau.
-  Number dissipation_per_strain{};
+  /// 1 - exp(-t / tau) for the time t between both: the fraction of a strain
+  /// that relaxes.
+  Number relaxing_fraction{};
+  /// Energy that this dissipates, over 2 G_1 times the squared distance of the
+  /// relaxed strain from the strain before.
+  Number lost_fraction{};
   /// Replaces the volumetric stress K (J - 1). Elements use the secant modulus
   /// as K instead, which avoids library calls in their loops.
   GasFilling gas;

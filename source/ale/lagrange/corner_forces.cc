@@ -52,7 +52,6 @@ namespace
     model.law.twice_relaxing = 2. * material.relaxing_shear;
     model.law.decay_before = model.law.decay_after =
       std::exp(-0.5 * step / material.relaxation_time);
-    model.law.dissipation_per_strain = 0.;
     model.density = material.density;
     model.sound_speed = material.dilatational_speed();
     model.linear_viscosity = region.viscosity.linear;

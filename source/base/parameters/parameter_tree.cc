@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/parameters/declared_tree.h>
+#include <contrecoup/base/parameters/number_or_word.h>
 #include <contrecoup/base/parameters/parameter_names.h>
 #include <contrecoup/base/parameters/parameter_tree.h>
 #include <contrecoup/base/parameters/parameters.h>
@@ -35,6 +36,8 @@ namespace
   {
     if (description.find("[List of <[List of <") == 0)
       return points_pattern().clone();
+    if (auto pattern = NumberOrWord::create(description))
+      return pattern;
     return dealii::Patterns::pattern_factory(description);
   }
 
@@ -313,6 +316,9 @@ std::string parameter_text(const ParameterHandler &prm, const bool annotated)
 
 std::string plain_words(const std::string &pattern)
 {
+  if (const auto either = NumberOrWord::create(pattern))
+    return plain_range("a number", between(pattern, "[Double ", " (incl")) +
+           ", or \"" + either->word() + "\"";
   if (pattern.find("[Double ") == 0)
     return plain_range("a number", between(pattern, "[Double ", " (incl"));
   if (pattern.find("[Integer range ") == 0)

@@ -291,11 +291,29 @@ namespace
   /// Above this size [m], bones are a single element thick.
   constexpr double largest_thin_element = 0.005;
 
-  /// Limit of hourglass energy with such elements. The hourglass stiffness is
-  /// then what bends a bone. In the quickstart, where hourglass modes store 7 %
-  /// with elements of 10 mm, full integration, which has none, changes
-  /// pressure, strain and HIC15 by 1 to 4 %, elements of 5 mm by 6 to 20 %.
-  constexpr double coarse_hourglass = 0.2;
+  /// Limit of a tissue's hourglass energy with such elements. The hourglass
+  /// stiffness is then what bends a bone. In the quickstart, where hourglass
+  /// modes store a fifth of the skeleton's energy with elements of 10 mm, full
+  /// integration, which has none, changes pressure, strain and HIC15 by 1 to
+  /// 4 %, elements of 5 mm by 6 to 20 %.
+  constexpr double coarse_hourglass = 0.4;
+
+  bool has_tissue(const Body &body, const Tissue tissue)
+  {
+    const std::vector<BodyPart> &parts = body.parts();
+    return std::any_of(parts.begin(), parts.end(), [&](const BodyPart &part) {
+      return part.tissue == tissue;
+    });
+  }
+
+  /// Point of the skin in front of the middle of a body, which faces +x.
+  dealii::Point<3> front_of(const Body &body)
+  {
+    const dealii::BoundingBox<3> box = body.surface()->bounding_box();
+    dealii::Point<3> place = box.center();
+    place[0] = box.upper_bound(0);
+    return body.surface()->project(place);
+  }
 
   /// Body mass clamped to the range of the entries; small bodies have no
   /// chest.
@@ -361,7 +379,11 @@ biomechanics_entries(const SceneParameters &scene,
   entries.set("Loads/Recorded/Largest distance", 0.5);
   entries.set(
     "Loads/Recorded/Mirror", layout.is_half ? "y" : "none", "Scene/Symmetry");
-  entries.set("Injury/Active", "true");
+  const bool has_lung = has_tissue(body, Tissue::lung);
+  entries.set("Injury/Active",
+              has_lung || has_tissue(body, Tissue::brain) ? "true" : "false");
+  if (has_lung)
+    entries.set("Injury/Chest", text_of(front_of(body)));
   entries.set("Injury/Body mass", allowed_mass(body_mass));
   for (const Landmark &landmark : body.landmarks())
     if (landmark.name == "chest")

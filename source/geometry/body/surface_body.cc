@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/parameters/tissue_list.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/geometry/body/surface_body.h>
@@ -125,11 +126,13 @@ void SurfaceBody::declare_parameters(dealii::ParameterHandler &prm)
                               "Angles about the fixed axes x, then y, then "
                               "z that rotate the surface of the file before "
                               "all else.");
-  declare_selection(prm,
-                    "Tissue",
-                    "soft tissue",
-                    {tissue_names().begin() + 1, tissue_names().end()},
-                    "Tissue of the body.");
+  declare_string(
+    prm,
+    "Tissue",
+    "soft tissue",
+    "Tissue of the body: one of " +
+      join({tissue_names().begin() + 1, tissue_names().end()}, ", ") +
+      ", or of the user's own.");
   declare_organs(prm);
   declare_double(prm,
                  "Largest holes",
@@ -151,7 +154,7 @@ void SurfaceBody::parse_parameters(dealii::ParameterHandler &prm)
       unit_ = length;
   largest_size_ = read_double(prm, "Largest size");
   angles_ = Placement::read_rotation(prm);
-  tissue_ = find_tissue(prm.get("Tissue"));
+  tissue_ = find_one_tissue(prm.get("Tissue"), "Body/Surface/Tissue");
   has_organs_ = prm.get("Organs") == "phantom";
   insertion_.largest_loss = read_double(prm, "Largest loss of organs");
   insertion_.facing = read_facing(prm);

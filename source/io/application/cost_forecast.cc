@@ -86,6 +86,30 @@ namespace io
                              gap);
     }
 
+    /// Whether the trial had the same mesh from its first step to its last.
+    bool has_constant_mesh(const Trial &trial)
+    {
+      return trial.stages.size() == 1 &&
+             trial.stages[0].cell_steps ==
+               trial.stages[0].steps * trial.stages[0].largest_cells;
+    }
+
+    /// Adjusts a forecast for meshes that never change: the solver's estimate
+    /// of the cells then holds but for what the last trial shows, and fields
+    /// have a value for each cell.
+    void use_known_cells(const Trial &last,
+                         const double known,
+                         const double field_bytes,
+                         CostEstimate &cost)
+    {
+      const double cells = last.stages[0].largest_cells;
+      const double wanted = std::round(known * cells / last.known_cells);
+      cost.seconds *= wanted / cost.cells;
+      cost.output += last.field_bytes * wanted / cells - field_bytes;
+      cost.cells = wanted;
+      cost.unknowns = std::round(wanted * last.unknowns_per_cell);
+    }
+
     /// @param known initial cells of the scene by the solver's estimate
     CostEstimate
     extrapolate(const Trial &before, const Trial &last, const double known)
@@ -133,9 +157,11 @@ namespace io
       result.unknowns = std::round(result.cells * last.unknowns_per_cell);
       result.seconds += grown(&Trial::setup_seconds, 0., dimension) +
                         grown(&Trial::output_seconds, 0., dimension);
-      result.output = grown(&Trial::field_bytes, 0., dimension) +
-                      grown(&Trial::table_bytes, 0., 1.) +
+      const double fields = grown(&Trial::field_bytes, 0., dimension);
+      result.output = fields + grown(&Trial::table_bytes, 0., 1.) +
                       grown(&Trial::load_bytes, dimension - 1., dimension);
+      if (has_constant_mesh(last) && last.known_cells > 0. && n > 0)
+        use_known_cells(last, known, fields, result);
       return result;
     }
 

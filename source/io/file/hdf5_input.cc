@@ -5,6 +5,12 @@
 #include <contrecoup/base/system/readable_file.h>
 #include <contrecoup/io/file/hdf5_input.h>
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
 
 namespace contrecoup
@@ -18,6 +24,29 @@ namespace io
 
     /// Upper bound of the length of text attributes.
     constexpr std::size_t longest_text = 1 << 20;
+
+    /// Why the file cannot be locked as HDF5 does before it reads; empty if it
+    /// can.
+    std::string why_locked(const std::string &path)
+    {
+      const std::string remedy =
+        "; with HDF5_USE_FILE_LOCKING=FALSE in the environment it is read "
+        "without a lock";
+      const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+      if (file < 0)
+        return "";
+      const bool is_free = ::flock(file, LOCK_SH | LOCK_NB) == 0;
+      const int error = errno;
+      ::close(file);
+      if (is_free)
+        return "";
+      return (error == EWOULDBLOCK
+                ? "it is locked by another program, such as a viewer, or a run "
+                  "that still writes it: close that program"
+                : "its file system locks no files (" +
+                    std::string(std::strerror(error)) + ")") +
+             remedy;
+    }
 
     hid_t open(const std::string &path)
     {
@@ -39,6 +68,9 @@ namespace io
     std::error_code error;
     if (std::filesystem::file_size(path, error) == 0)
       refuse("it is empty");
+    const std::string locked = why_locked(path);
+    if (!locked.empty())
+      refuse(locked);
     refuse(H5Fis_hdf5(path.c_str()) > 0 ? "it is a damaged HDF5 file"
                                         : "it is no HDF5 file");
   }

@@ -57,11 +57,12 @@ void ElementOptions::declare_parameters(ParameterHandler &prm)
   const Section section(prm, "Elements");
   declare_selection(prm,
                     "Kinematics",
-                    "small strain",
+                    "finite rotation",
                     solid_kinematics_names(),
-                    "small strain: no rotations; finite rotation: exact for "
-                    "arbitrary rotations with small strains; neo-hookean: "
-                    "also large strains.");
+                    "finite rotation: exact for arbitrary rotations with small "
+                    "strains; neo-hookean: also large strains; small strain: "
+                    "linear, a rotation by an angle a counts as a strain of "
+                    "a^2 / 2.");
   declare_selection(prm,
                     "Integration",
                     "one-point",

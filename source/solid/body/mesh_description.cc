@@ -3,6 +3,8 @@
 
 #include <contrecoup/base/parameters/parameter_tree.h>
 #include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/parameters/selections.h>
+#include <contrecoup/base/parameters/tissue_list.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/geometry/mesh/mesh_file.h>
@@ -138,17 +140,18 @@ namespace
 
   void declare_tissues(ParameterHandler &prm)
   {
-    declare_selection(prm,
-                      "Tissue",
-                      "soft tissue",
-                      {tissue_names().begin() + 1, tissue_names().end()},
-                      "Tissue of box, octants and patch.");
+    const std::string known =
+      join({tissue_names().begin() + 1, tissue_names().end()}, ", ");
+    declare_string(prm,
+                   "Tissue",
+                   "soft tissue",
+                   "Tissue of box, octants and patch: one of " + known +
+                     ", or of the user's own (Materials/Tissue NAME).");
     const Section section(prm, "Region *");
-    declare_selection(prm,
-                      "Tissue",
-                      "soft tissue",
-                      {tissue_names().begin() + 1, tissue_names().end()},
-                      "Tissue of the elements of this region.");
+    declare_string(prm,
+                   "Tissue",
+                   "soft tissue",
+                   "Tissue of the elements of this region, as Mesh/Tissue.");
     declare_string(prm,
                    "Where",
                    "1",
@@ -184,7 +187,8 @@ void MeshDescription::parse_parameters(ParameterHandler &prm)
     const Section section(prm, "Mesh");
     const Section region(prm, "Region " + name);
     regions_.push_back(
-      {find_tissue(prm.get("Tissue")),
+      {name,
+       find_one_tissue(prm.get("Tissue"), "Mesh/Region " + name + "/Tissue"),
        Expression("Mesh/Region " + name + "/Where", prm.get("Where"))});
   }
   {
@@ -221,7 +225,7 @@ void MeshDescription::parse_shape(ParameterHandler &prm)
   file_ = prm.get("File");
   if (kind_ == "file" && file_.empty())
     throw InputError("Mesh/Kind = file needs Mesh/File");
-  tissue_ = find_tissue(prm.get("Tissue"));
+  tissue_ = find_one_tissue(prm.get("Tissue"), "Mesh/Tissue");
   element_size_ = read_double(prm, "Element size");
   levels_ = read_unsigned(prm, "Coarsening levels");
   smoothing_.iterations = read_unsigned(prm, "Smoothing iterations");
@@ -416,9 +420,16 @@ void MeshDescription::refine(Mesh &mesh) const
 {
   for (const Expression &where : refined_where_)
   {
+    std::uint64_t count = 0;
     for (const auto &cell : mesh.active_cell_iterators())
       if (where.value(cell->center()) != 0.)
+      {
         cell->set_refine_flag();
+        ++count;
+      }
+    Selections selections;
+    selections.add("Mesh/Refined where", where.text(), "element", count);
+    selections.require_some(MPI_COMM_SELF, "it must be true at their centres");
     mesh.execute_coarsening_and_refinement();
   }
 }
@@ -426,8 +437,10 @@ void MeshDescription::refine(Mesh &mesh) const
 
 void MeshDescription::set_regions(HexMesh &mesh) const
 {
+  Selections selections;
   for (const Region &region : regions_)
   {
+    std::uint64_t count = 0;
     const auto part = static_cast<unsigned char>(mesh.parts.size());
     mesh.parts.push_back({name_of(region.tissue), region.tissue});
     for (std::size_t i = 0; i < mesh.cells.size(); ++i)
@@ -435,9 +448,17 @@ void MeshDescription::set_regions(HexMesh &mesh) const
       Point<3> centre;
       for (const std::uint32_t node : mesh.cells[i])
         centre += mesh.nodes[node] / 8.;
-      if (region.where.value(centre) != 0.)
-        mesh.part[i] = part;
+      if (region.where.value(centre) == 0.)
+        continue;
+      mesh.part[i] = part;
+      ++count;
     }
+    selections.add("Mesh/Region " + region.name + "/Where",
+                   region.where.text(),
+                   "element",
+                   count);
   }
+  // Each rank has the whole mesh.
+  selections.require_some(MPI_COMM_SELF, "it must be true at their centres");
 }
 } // namespace contrecoup::solid

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/parameters/parameter_tree.h>
+#include <contrecoup/base/parameters/new_tissues.h>
 #include <contrecoup/base/parameters/parameters.h>
 #include <contrecoup/base/parameters/tissue_list.h>
-#include <contrecoup/base/system/exceptions.h>
-#include <contrecoup/base/system/text.h>
 #include <contrecoup/solid/body/solid_materials.h>
 
 #include <algorithm>
@@ -14,111 +12,6 @@ namespace contrecoup::solid
 {
 namespace
 {
-  void declare_gas(ParameterHandler &prm)
-  {
-    declare_double(prm,
-                   "Gas part",
-                   "0",
-                   0.,
-                   1.,
-                   "-",
-                   "Fraction of the undeformed volume that is gas. The gas "
-                   "stiffens under compression while the rest is "
-                   "incompressible; Bulk modulus is then the modulus at "
-                   "small strains. 0: pressure is proportional to the "
-                   "change of volume.");
-    declare_double(prm,
-                   "Gas exponent",
-                   "1.4",
-                   0.1,
-                   10.,
-                   "-",
-                   "Polytropic exponent of the gas: 1.4 for adiabatic air, "
-                   "1 for isothermal air.");
-    declare_double(
-      prm,
-      "Modulus without gas",
-      "2.2e9",
-      1e-6,
-      1e15,
-      "Pa",
-      "Bulk modulus when all gas is squeezed out, not below Bulk modulus.");
-  }
-
-  void declare_custom(ParameterHandler &prm)
-  {
-    const Section section(prm, "Tissue *");
-    declare_double(prm,
-                   "Density",
-                   "1000",
-                   1e-6,
-                   1e6,
-                   "kg/m^3",
-                   "Mass density of the tissue of this subsection.");
-    declare_double(prm,
-                   "Young's modulus",
-                   "0",
-                   0.,
-                   1e15,
-                   "Pa",
-                   "With Poisson's ratio replaces bulk and shear modulus; "
-                   "0: use Bulk modulus and Shear modulus.");
-    declare_double(prm,
-                   "Poisson's ratio",
-                   "0.3",
-                   -0.999,
-                   0.4999999,
-                   "-",
-                   "Only used with Young's modulus.");
-    declare_double(prm,
-                   "Bulk modulus",
-                   "2.2e9",
-                   1e-6,
-                   1e15,
-                   "Pa",
-                   "Ratio of pressure to compression at small strains.");
-    declare_double(prm,
-                   "Shear modulus",
-                   "0",
-                   0.,
-                   1e15,
-                   "Pa",
-                   "Instantaneous shear modulus G_0.");
-    declare_double(prm,
-                   "Relaxing shear modulus",
-                   "0",
-                   0.,
-                   1e15,
-                   "Pa",
-                   "The part of G_0 that relaxes to zero.");
-    declare_double(prm,
-                   "Relaxation time",
-                   "0.006",
-                   1e-12,
-                   1e6,
-                   "s",
-                   "Time in which the relaxing part decays to 1/e.");
-    declare_gas(prm);
-  }
-
-  /// @throws InputError when the gas is stiffer than the tissue around it
-  GasFilling read_gas(ParameterHandler &prm,
-                      const double bulk_modulus,
-                      const std::string &name)
-  {
-    const double gas_fraction = read_double(prm, "Gas part");
-    if (gas_fraction == 0.)
-      return {};
-    const double max_stiffness =
-      read_double(prm, "Modulus without gas") / bulk_modulus;
-    if (!(max_stiffness >= 1.))
-      throw InputError("Materials/Tissue " + name +
-                       "/Modulus without gas must be at least the bulk "
-                       "modulus, " +
-                       brief(bulk_modulus) + " Pa");
-    return {gas_fraction, read_double(prm, "Gas exponent"), max_stiffness};
-  }
-
   /// Choices of "Bulk law".
   const std::vector<std::string> bulk_laws{"of the tissue", "linear"};
 } // namespace
@@ -167,12 +60,13 @@ void SolidMaterials::declare_parameters(ParameterHandler &prm)
                  "Of cavitating tissues, above the ambient pressure; the "
                  "default is the vapour pressure of water at 20 degrees "
                  "Celsius, 2.34 kPa, less 101.325 kPa.");
-  declare_custom(prm);
+  OwnTissues::declare_parameters(prm);
 }
 
 
 void SolidMaterials::parse_parameters(ParameterHandler &prm)
 {
+  own_.parse_parameters(prm, "Materials");
   {
     const Section section(prm, "Materials");
     set_ = prm.get("Set");
@@ -182,41 +76,32 @@ void SolidMaterials::parse_parameters(ParameterHandler &prm)
                                "Materials/Cavitating tissues");
     largest_tension_ = -read_double(prm, "Least pressure");
   }
-  for (const std::string &name : item_names(prm, "Materials/Tissue"))
-  {
-    const Section section(prm, "Materials");
-    const Section custom(prm, "Tissue " + name);
-    SolidMaterial material;
-    material.density = read_double(prm, "Density");
-    const double young = read_double(prm, "Young's modulus");
-    const double poisson = read_double(prm, "Poisson's ratio");
-    material.bulk_modulus = young > 0. ? young / (3. * (1. - 2. * poisson))
-                                       : read_double(prm, "Bulk modulus");
-    material.instantaneous_shear = young > 0.
-                                     ? young / (2. * (1. + poisson))
-                                     : read_double(prm, "Shear modulus");
-    material.relaxing_shear = read_double(prm, "Relaxing shear modulus");
-    material.relaxation_time = read_double(prm, "Relaxation time");
-    material.gas = read_gas(prm, material.bulk_modulus, name);
-    material.check("Materials/Tissue " + name);
-    custom_[find_tissue(name)] = material;
-  }
+  for (const Tissue tissue : own_.tissues())
+    find(tissue);
+}
+
+
+std::string SolidMaterials::changes(const Tissue tissue) const
+{
+  return own_.changes(tissue, of_library(tissue));
+}
+
+
+SolidMaterial SolidMaterials::of_library(const Tissue tissue) const
+{
+  if (is_new(tissue))
+    return {};
+  SolidMaterial material = solid_material(find_tissue_properties(set_, tissue),
+                                          g1_is_long_term_ && set_ == "paper");
+  if (!has_gas_)
+    material.gas = GasFilling();
+  return material;
 }
 
 
 SolidMaterial SolidMaterials::find(const Tissue tissue) const
 {
-  SolidMaterial material;
-  const auto custom = custom_.find(tissue);
-  if (custom != custom_.end())
-    material = custom->second;
-  else
-  {
-    material = solid_material(find_tissue_properties(set_, tissue),
-                              g1_is_long_term_ && set_ == "paper");
-    if (!has_gas_)
-      material.gas = GasFilling();
-  }
+  SolidMaterial material = own_.apply(tissue, of_library(tissue));
   if (std::find(cavitating_.begin(), cavitating_.end(), tissue) !=
       cavitating_.end())
     material.largest_tension = largest_tension_;

@@ -2,9 +2,11 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/text.h>
 #include <contrecoup/numerics/element/hex8_geometry.h>
 #include <contrecoup/solid/body/solid_mesh.h>
 
+#include <limits>
 #include <numeric>
 #include <set>
 #include <sstream>
@@ -291,6 +293,26 @@ SolidMesh distribute(const HexMesh &mesh,
                      const SlipInterface &slip)
 {
   return Distribution(mesh, communicator, slip).build();
+}
+
+
+std::string extent_in_words(const SolidMesh &mesh, const MPI_Comm communicator)
+{
+  std::vector<double> bounds(6, -std::numeric_limits<double>::max());
+  for (const dealii::Point<3> &node : mesh.nodes)
+    for (unsigned int d = 0; d < 3; ++d)
+    {
+      bounds[d] = std::max(bounds[d], -node[d]);
+      bounds[3 + d] = std::max(bounds[3 + d], node[d]);
+    }
+  dealii::Utilities::MPI::max(bounds, communicator, bounds);
+  const auto corner = [&](const unsigned int first, const double sign) {
+    std::vector<std::string> numbers;
+    for (unsigned int d = 0; d < 3; ++d)
+      numbers.push_back(brief(sign * bounds[first + d] + 0.));
+    return "(" + join(numbers, ", ") + ")";
+  };
+  return "the body lies from " + corner(0, -1.) + " to " + corner(3, 1.) + " m";
 }
 
 

@@ -4,6 +4,7 @@
 #include <contrecoup/solid/body/surface_patch.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace contrecoup::solid
@@ -47,6 +48,10 @@ void SurfacePatch::reinit(const SolidMesh &mesh,
       area_ += area.norm();
     }
   area_ = dealii::Utilities::MPI::sum(area_, communicator);
+  const auto n_facets = static_cast<double>(
+    dealii::Utilities::MPI::sum(facets_.size(), communicator));
+  distance_ = nearest;
+  facet_edge_ = n_facets > 0. ? std::sqrt(area_ / n_facets) : 0.;
 }
 
 

@@ -8,7 +8,10 @@
 #include <contrecoup/numerics/injury/kingery_bulmash.h>
 #include <contrecoup/solid/boundary/analytic_blast.h>
 
+#include <deal.II/base/mpi.h>
+
 #include <cmath>
+#include <limits>
 
 namespace contrecoup::solid
 {
@@ -229,8 +232,9 @@ bool AnalyticBlast::sees_charge(const Point<3> &middle, const double size) const
 
 void AnalyticBlast::reinit(const std::vector<Point<3>> &middles,
                            const std::vector<Tensor<1, 3>> &areas,
-                           const MPI_Comm)
+                           const MPI_Comm communicator)
 {
+  communicator_ = communicator;
   facets_.clear();
   for (std::size_t i = 0; i < middles.size(); ++i)
   {
@@ -241,6 +245,20 @@ void AnalyticBlast::reinit(const std::vector<Point<3>> &middles,
     const bool is_lit = cosine > 0. && sees_charge(middles[i], std::sqrt(area));
     facets_.push_back({waves(distance), is_lit ? cosine : 0.});
   }
+}
+
+
+std::string AnalyticBlast::warning(const double end_time) const
+{
+  double arrival = std::numeric_limits<double>::infinity();
+  for (const Facet &facet : facets_)
+    arrival = std::min(arrival, facet.waves.incident.arrival);
+  arrival = dealii::Utilities::MPI::min(arrival, communicator_);
+  if (arrival < end_time)
+    return "";
+  return path_ + ": the wave arrives at " + brief(arrival) +
+         " s, after the end of the run at " + brief(end_time) +
+         " s, and loads nothing";
 }
 
 

@@ -11,6 +11,8 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/numerics/rtree.h>
 
+#include <limits>
+
 namespace contrecoup::solid
 {
 namespace
@@ -113,6 +115,11 @@ RecordedLoads::parse_parameters(ParameterHandler &prm)
     throw InputError("Loads/Recorded/File = \"" + prm.get("File") +
                      "\" has no facets or no times");
   loads->offset_ = read_double(prm, "Time offset");
+  if (loads->offset_ >= loads->reader_->times().back())
+    throw InputError("Loads/Recorded/Time offset = " + brief(loads->offset_) +
+                     " s: the record ends at " +
+                     brief(loads->reader_->times().back()) +
+                     " s, before this run begins");
   loads->largest_distance_ = read_double(prm, "Largest distance");
   const std::string mirror = prm.get("Mirror");
   if (mirror != "none")
@@ -128,6 +135,7 @@ void RecordedLoads::reinit(const std::vector<Point<3>> &middles,
                            const MPI_Comm communicator)
 {
   communicator_ = communicator;
+  middles_ = middles;
   areas_ = areas;
   const io::LoadFile::Facets &facets = reader_->facets();
   std::vector<Point<3>> places;
@@ -208,6 +216,44 @@ double RecordedLoads::pressure(const std::size_t facet) const
   const double now = row[after_ - first_];
   const double old = after_ == 0 ? 0. : double(row[before_ - first_]);
   return factor_ * ((1. - weight_) * old + weight_ * now);
+}
+
+
+std::string RecordedLoads::warning(const double end_time) const
+{
+  // The last samples of a record that ends with the run may miss its end.
+  constexpr double missing_intervals = 2.;
+  const std::vector<double> &ends = reader_->times();
+  const std::size_t last = ends.size() - 1;
+  const double interval = last > 0 ? ends[last] - ends[last - 1] : 0.;
+  const double end = ends[last] - offset_;
+  if (end + missing_intervals * interval >= end_time * (1. - 1e-6))
+    return "";
+  const std::vector<float> samples = reader_->read(last, 1);
+  std::pair<double, std::size_t> largest{0., 0};
+  for (std::size_t i = 0; i < source_.size(); ++i)
+    if (source_[i] != none)
+      largest = std::max(largest, {std::abs(factor_ * samples[source_[i]]), i});
+  const double left = dealii::Utilities::MPI::max(largest.first, communicator_);
+  // Of the ranks with this pressure, the first one tells its place and sign.
+  const unsigned int mine =
+    dealii::Utilities::MPI::this_mpi_process(communicator_);
+  const unsigned int first = dealii::Utilities::MPI::min(
+    largest.first == left ? mine : std::numeric_limits<unsigned int>::max(),
+    communicator_);
+  std::array<double, 4> told{};
+  if (mine == first && !source_.empty())
+    told = {{middles_[largest.second][0],
+             middles_[largest.second][1],
+             middles_[largest.second][2],
+             left > 0. ? factor_ * samples[source_[largest.second]] : 0.}};
+  MPI_Bcast(told.data(), 4, MPI_DOUBLE, static_cast<int>(first), communicator_);
+  return "Loads/Recorded: the record ends at " + brief(end) +
+         " s, the run at " + brief(end_time) +
+         " s; the body bears no load in between, although " + brief(told[3]) +
+         " Pa are left at (" + brief(told[0], 3) + ", " + brief(told[1], 3) +
+         ", " + brief(told[2], 3) +
+         ") m; record longer, or end the run with the record (Time/End time)";
 }
 
 

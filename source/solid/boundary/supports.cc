@@ -74,6 +74,23 @@ void Supports::reinit(const SolidMesh &mesh)
 }
 
 
+void Supports::add_selections(const SolidMesh &mesh,
+                              Selections &selections) const
+{
+  for (const Support &support : supports_)
+  {
+    std::uint64_t count = 0;
+    for (std::size_t i = 0; i < mesh.nodes.size(); ++i)
+      if (mesh.owned[i] != 0 && support.where.value(mesh.nodes[i]) != 0.)
+        ++count;
+    selections.add("Supports/Support " + support.name + "/Where",
+                   support.where.text(),
+                   "node of the body",
+                   count);
+  }
+}
+
+
 bool Supports::moves() const
 {
   for (const Support &support : supports_)

@@ -3,6 +3,7 @@
 
 #include <contrecoup/base/parameters/parameter_tree.h>
 #include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/system/log.h>
 #include <contrecoup/solid/boundary/analytic_blast.h>
 #include <contrecoup/solid/boundary/recorded_loads.h>
 #include <contrecoup/solid/boundary/surface_loads.h>
@@ -149,6 +150,35 @@ void SurfaceLoads::reinit(const SolidMesh &mesh, const MPI_Comm communicator)
     loads_[load].history->reinit(middles, areas, communicator);
   }
   forces_.assign(nodes_.size(), Tensor<1, 3>());
+}
+
+
+void SurfaceLoads::add_selections(const SolidMesh &mesh,
+                                  Selections &selections) const
+{
+  for (const Load &load : loads_)
+  {
+    std::uint64_t count = 0;
+    for (const HexMesh::Facet &facet : mesh.boundary)
+      if (load.where.value(middle_of(corners_of(mesh, facet))) != 0.)
+        ++count;
+    selections.add("Loads/Load " + load.name + "/Where",
+                   load.where.text(),
+                   "facet of the body's surface",
+                   count);
+  }
+}
+
+
+void SurfaceLoads::warn_of_times(const double end_time) const
+{
+  for (const Load &load : loads_)
+    if (load.history)
+    {
+      const std::string warning = load.history->warning(end_time);
+      if (!warning.empty())
+        log_line("WARNING: " + warning);
+    }
 }
 
 

@@ -6,6 +6,13 @@
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/solid/boundary/surroundings.h>
 
+#include <deal.II/base/mpi.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
 namespace contrecoup::solid
 {
 namespace
@@ -97,6 +104,49 @@ double Surroundings::depth(const NodeFields<Real> &nodes,
 
 
 template <typename Real>
+void Surroundings::refuse_buried(const NodeFields<Real> &nodes,
+                                 const MPI_Comm communicator) const
+{
+  namespace mpi = dealii::Utilities::MPI;
+  if (!has_ground_)
+    return;
+  std::pair<double, std::size_t> deepest{0., 0};
+  double scale = std::abs(height_);
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+  {
+    deepest = std::max(deepest, {depth(nodes, i), i});
+    scale = std::max(
+      scale,
+      std::abs(
+        double(nodes.position_and_displacement[nodes.position_width * i + 2])));
+  }
+  // Coordinates have rounding errors.
+  const double allowed =
+    4. * std::numeric_limits<Real>::epsilon() * mpi::max(scale, communicator);
+  const double deep = mpi::max(deepest.first, communicator);
+  if (!(deep > allowed))
+    return;
+  const unsigned int mine = mpi::this_mpi_process(communicator);
+  const unsigned int first = mpi::min(
+    deepest.first == deep ? mine : std::numeric_limits<unsigned int>::max(),
+    communicator);
+  std::array<double, 2> place{};
+  if (mine == first)
+    for (unsigned int d = 0; d < 2; ++d)
+      place[d] =
+        nodes
+          .position_and_displacement[nodes.position_width * deepest.second + d];
+  MPI_Bcast(place.data(), 2, MPI_DOUBLE, static_cast<int>(first), communicator);
+  throw InputError("Ground/Height = " + brief(height_) + " m: the body is " +
+                   brief(1e3 * deep) +
+                   " mm in the ground at the start, at x = " +
+                   brief(place[0], 3) + " m, y = " + brief(place[1], 3) +
+                   " m, and would be thrown off; move the body up by that "
+                   "much, or the ground down");
+}
+
+
+template <typename Real>
 void Surroundings::add_forces(NodeFields<Real> &nodes) const
 {
   if (!has_gravity_ && !has_ground_)
@@ -165,6 +215,10 @@ Surroundings::contact_force(const NodeFields<Real> &nodes,
 }
 
 
+template void Surroundings::refuse_buried(const NodeFields<double> &,
+                                          MPI_Comm) const;
+template void Surroundings::refuse_buried(const NodeFields<float> &,
+                                          MPI_Comm) const;
 template void Surroundings::add_forces(NodeFields<double> &) const;
 template void Surroundings::add_forces(NodeFields<float> &) const;
 template double Surroundings::power(const NodeFields<double> &,

@@ -2,6 +2,8 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/text.h>
 #include <contrecoup/io/file/binary_records.h>
 #include <contrecoup/io/file/checked_file.h>
 #include <contrecoup/solid/body/stress_invariants.h>
@@ -106,7 +108,35 @@ void InjuryReport<Real>::reinit(const SolidBody<Real> &body)
   find_skull(body);
   chest_wall_.reinit(
     mesh, chest_.place(), chest_.radius(), body.communicator());
+  if (has_lung(body))
+    refuse_far_chest();
   record_.last_time = body.time();
+}
+
+
+template <typename Real>
+bool InjuryReport<Real>::has_lung(const SolidBody<Real> &body)
+{
+  const auto &tissues = body.mesh().tissues;
+  return std::find(tissues.begin(), tissues.end(), Tissue::lung) !=
+         tissues.end();
+}
+
+
+template <typename Real>
+void InjuryReport<Real>::refuse_far_chest() const
+{
+  const double allowed =
+    std::max(chest_.radius(), 2. * chest_wall_.facet_edge());
+  if (chest_wall_.distance() <= allowed)
+    return;
+  const dealii::Point<3> &place = chest_.place();
+  throw InputError(
+    "Injury/Chest = " + brief(place[0]) + ", " + brief(place[1]) + ", " +
+    brief(place[2]) + " is " + brief(chest_wall_.distance(), 3) +
+    " m from the skin, more than Injury/Chest radius and two "
+    "elements, " +
+    brief(allowed, 3) + " m; set it to a point on the chest of this body");
 }
 
 
@@ -234,8 +264,7 @@ InjuryReport<Real>::measures(const SolidBody<Real> &body) const
   std::vector<InjuryMeasure> list;
   add_brain(body, list);
   add_head(list);
-  const auto &tissues = body.mesh().tissues;
-  if (std::find(tissues.begin(), tissues.end(), Tissue::lung) != tissues.end())
+  if (has_lung(body))
     for (const InjuryMeasure &measure : chest_.measures())
       list.push_back(measure);
   return list;

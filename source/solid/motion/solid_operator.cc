@@ -18,6 +18,37 @@ namespace
   /// step; with this it is kept within 0.2 %, and the step safety covers it.
   constexpr double least_cavity_viscosity = 0.02;
 
+  /// -t / tau, bounded: where a step was cut, the stored strain is of a later
+  /// time, and a branch that follows at once must not be taken back in time.
+  double relaxation_exponent(const double time, const double tau)
+  {
+    return time == 0. ? 0. : std::min(1., -time / tau);
+  }
+
+  /// Sets what relaxes from the stored strain to now, and half a step on.
+  /// Losses are those of central differences where strains change at a steady
+  /// rate, for any ratio of step to relaxation time; the first step also has
+  /// what an initial strain loses.
+  template <typename Real>
+  void set_relaxation(const double tau,
+                      const StepTimes &times,
+                      SolidLaw<Lanes<Real>> &law)
+  {
+    const double before =
+                   std::exp(relaxation_exponent(times.relax_before, tau)),
+                 after = std::exp(relaxation_exponent(times.relax_after, tau));
+    const double relaxing = -std::expm1(
+      relaxation_exponent(times.relax_before + times.relax_after, tau));
+    const bool is_first =
+      times.before > 0. && times.relax_before >= times.before;
+    law.decay_before = Real(before);
+    law.decay_after = Real(after);
+    law.relaxing_fraction = Real(relaxing);
+    law.lost_fraction =
+      Real(is_first ? 0.5 - std::pow(after, 7) / (1. + after * after)
+                    : before * relaxing);
+  }
+
   /// Velocities of the corners of a batch.
   template <typename Real>
   HexVectors<Lanes<Real>> corner_velocities(const Real *velocity,
@@ -159,7 +190,6 @@ template <typename Real>
 HexModel<Lanes<Real>> SolidOperator<Real>::model(const SolidMaterial &material,
                                                  const StepTimes &times) const
 {
-  const double tau = material.relaxation_time;
   HexModel<Lane> model;
   model.law.bulk = Real(material.bulk_modulus);
   model.law.gas = material.gas;
@@ -167,10 +197,7 @@ HexModel<Lanes<Real>> SolidOperator<Real>::model(const SolidMaterial &material,
   model.law.vapour_dilatation = Real(material.vapour_dilatation());
   model.law.twice_shear = Real(2. * material.instantaneous_shear);
   model.law.twice_relaxing = Real(2. * material.relaxing_shear);
-  model.law.decay_before = Real(std::exp(-times.relax_before / tau));
-  model.law.decay_after = Real(std::exp(-times.relax_after / tau));
-  model.law.dissipation_per_strain =
-    Real((times.relax_before + times.relax_after) / tau);
+  set_relaxation<Real>(material.relaxation_time, times, model.law);
   const double wave = material.density * material.dilatational_speed();
   const double linear =
     material.cavitates()

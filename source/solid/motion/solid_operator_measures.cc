@@ -4,6 +4,9 @@
 #include <contrecoup/numerics/element/hex8_full.h>
 #include <contrecoup/solid/motion/solid_operator.h>
 
+#include <cmath>
+#include <limits>
+
 namespace contrecoup::solid
 {
 namespace
@@ -43,13 +46,16 @@ namespace
   }
 
   /// Relaxed strain at the present, from the stored value at the middle of the
-  /// next step.
-  template <typename Number>
-  Symmetric3<Number> relaxed_now(const Number *stored,
-                                 const Symmetric3<Number> &measure,
-                                 const Number &decay_after)
+  /// next step. Where the rest of that step relaxes all but rounding errors, it
+  /// is the strain itself.
+  template <typename Real>
+  Symmetric3<Lanes<Real>> relaxed_now(const Lanes<Real> *stored,
+                                      const Symmetric3<Lanes<Real>> &measure,
+                                      const Lanes<Real> &decay_after)
   {
-    Symmetric3<Number> now;
+    if (!(decay_after[0] > std::sqrt(std::numeric_limits<Real>::epsilon())))
+      return measure;
+    Symmetric3<Lanes<Real>> now;
     for (unsigned int k = 0; k < 6; ++k)
       now[k] = measure[k] + (stored[k] - measure[k]) / decay_after;
     return now;
@@ -72,7 +78,10 @@ namespace
     }
     const double part =
       times.relax_after / (times.relax_before + times.relax_after);
-    return Number(part) * law.dissipation_per_strain * law.twice_relaxing *
+    // Where all has relaxed, the rate is 0.
+    constexpr double not_zero = 1e-30;
+    return Number(part) * law.relaxing_fraction /
+           (law.decay_before + Number(not_zero)) * law.twice_relaxing *
            contract(stretch, rate);
   }
 

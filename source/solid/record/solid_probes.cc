@@ -10,6 +10,7 @@
 #include <contrecoup/solid/record/solid_probes.h>
 
 #include <algorithm>
+#include <cmath>
 #include <istream>
 #include <limits>
 #include <ostream>
@@ -31,6 +32,45 @@ namespace
     for (const ProbeQuantity &quantity : probe_quantities())
       names.push_back(quantity.name);
     return names;
+  }
+
+  /// Distance of a point from the box around an element, over the element's
+  /// edge.
+  double distance_in_edges(const SolidMesh &mesh,
+                           const std::uint32_t element,
+                           const dealii::Point<3> &point)
+  {
+    dealii::Point<3> low = mesh.nodes[mesh.elements[element][0]], high = low;
+    for (const std::uint32_t node : mesh.elements[element])
+      for (unsigned int d = 0; d < 3; ++d)
+      {
+        low[d] = std::min(low[d], mesh.nodes[node][d]);
+        high[d] = std::max(high[d], mesh.nodes[node][d]);
+      }
+    dealii::Tensor<1, 3> outside;
+    for (unsigned int d = 0; d < 3; ++d)
+      outside[d] = std::max({0., low[d] - point[d], point[d] - high[d]});
+    return outside.norm() / (high - low).norm() * std::sqrt(3.);
+  }
+
+  /// @throws InputError on all ranks
+  void refuse_outside(const SolidMesh &mesh,
+                      const dealii::Point<3> &point,
+                      const std::size_t number,
+                      const MPI_Comm communicator)
+  {
+    constexpr double largest_distance = 0.5; // in edges
+    double distance = std::numeric_limits<double>::max();
+    for (std::uint32_t i = 0; i < mesh.elements.size() && distance > 0.; ++i)
+      distance = std::min(distance, distance_in_edges(mesh, i, point));
+    distance = dealii::Utilities::MPI::min(distance, communicator);
+    if (distance <= largest_distance)
+      return;
+    throw InputError("Probes/Points: probe " + std::to_string(number) +
+                     " at (" + brief(point[0]) + ", " + brief(point[1]) + ", " +
+                     brief(point[2]) + ") m is outside of the body, by " +
+                     brief(distance, 2) + " edges of an element; " +
+                     extent_in_words(mesh, communicator));
   }
 
   /// True on the rank with the smallest distance, and there only.
@@ -171,6 +211,10 @@ void SolidProbes::reinit(const SolidMesh &mesh, const MPI_Comm communicator)
 {
   for (ProbeLocation &location : locations_)
   {
+    refuse_outside(mesh,
+                   location.point,
+                   1 + static_cast<std::size_t>(&location - locations_.data()),
+                   communicator);
     double least = std::numeric_limits<double>::max();
     for (std::uint32_t i = 0; i < mesh.nodes.size(); ++i)
     {

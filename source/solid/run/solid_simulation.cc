@@ -20,12 +20,6 @@ namespace contrecoup::solid
 {
 namespace
 {
-  /// Element updates per second and core, for estimates only.
-  constexpr double typical_speed = 1.5e7;
-
-  /// Memory per element with its nodes and a part of the mesh [bytes].
-  constexpr double typical_memory = 900.;
-
   /// Steps between evaluations of the stable step of the deformed body.
   constexpr double steps_between_checks = 50.;
 
@@ -88,8 +82,8 @@ void SolidSimulation<Real>::declare_parameters(ParameterHandler &prm)
 template <typename Real>
 void SolidSimulation<Real>::parse_parameters(ParameterHandler &prm)
 {
-  mesh_description_.parse_parameters(prm);
   materials_.parse_parameters(prm);
+  mesh_description_.parse_parameters(prm);
   options_.parse_parameters(prm);
   {
     const Section section(prm, "Elements");
@@ -113,21 +107,6 @@ void SolidSimulation<Real>::parse_parameters(ParameterHandler &prm)
 
 
 template <typename Real>
-CostEstimate SolidSimulation<Real>::estimate()
-{
-  CostEstimate cost;
-  cost.cells = mesh_description_.estimate_elements();
-  cost.unknowns = 3. * cost.cells;
-  cost.memory = typical_memory * cost.cells * (sizeof(Real) == 4 ? 0.7 : 1.);
-  const double step = mesh_description_.estimate_step(materials_);
-  cost.steps = end_time_ / (safety_ * options_.step_factor() * step);
-  cost.seconds = cost.steps * cost.cells / typical_speed /
-                 dealii::Utilities::MPI::n_mpi_processes(communicator_);
-  return cost;
-}
-
-
-template <typename Real>
 void SolidSimulation<Real>::build()
 {
   HexMesh mesh;
@@ -146,6 +125,8 @@ void SolidSimulation<Real>::build()
     supports_,
     loads_,
     communicator_);
+  require_selections(body_.mesh(), selectors(), communicator_);
+  body_.loads().warn_of_times(end_time_);
   stability_ = body_.find_stable_step();
   stable_step_ = safety_ * options_.step_factor() * stability_.body_step;
   // Bulk viscosity reduces the step that remains for the body itself.
@@ -168,6 +149,7 @@ void SolidSimulation<Real>::setup()
   build();
   report_step();
   initial_.set(body_.mesh(), body_.nodes());
+  surroundings_.refuse_buried(body_.nodes(), communicator_);
   body_.start(0.);
   if (probes_.measures())
     probes_.read(body_);
@@ -187,31 +169,6 @@ void SolidSimulation<Real>::warn_of_rest(const EnergyLedger &ledger)
   log_line("WARNING: nothing moves the body, all results will be zero: no "
            "facet has a load (Loads/Load */Where, Loads/Recorded/File), no "
            "support moves, and there is neither gravity nor an initial state");
-}
-
-
-template <typename Real>
-void SolidSimulation<Real>::report_step() const
-{
-  std::ostringstream line;
-  line << "step " << brief(stable_step_) << " s: " << brief(safety_)
-       << " of what the body allows, "
-       << brief(options_.step_factor() * stability_.body_step)
-       << " s (highest frequency within "
-       << brief(100. * stability_.uncertainty, 2) << " % after "
-       << stability_.iterations << " iterations); alone, element "
-       << stability_.element << " of " << name_of(stability_.tissue) << " at ("
-       << stability_.center << ") m "
-       << (body_.mass_scaling().active() ? "without added mass " : "")
-       << "would allow "
-       << brief(options_.step_factor() * stability_.element_step) << " s";
-  log_line(line.str());
-  const std::vector<NamedValue> &scaled = body_.mass_scaling().report();
-  for (std::size_t i = 0; i < scaled.size(); i += 2)
-    if (scaled[i].value > 0.)
-      log_line("mass scaling: " + brief(scaled[i].value) + " elements, " +
-               brief(scaled[i + 1].value) + " kg more (" + scaled[i + 1].name +
-               ")");
 }
 
 
@@ -253,6 +210,7 @@ double SolidSimulation<Real>::allowed_step()
   if (steps_until_check_ == 0.)
   {
     const TimerScope timer("step size");
+    warn_of_rotation();
     // Deformation may use half of the margin that the safety factor leaves
     // before the step is reduced.
     const double deformed = 0.5 * (1. + safety_) * options_.step_factor() *
@@ -425,6 +383,7 @@ template <typename Real>
 void SolidSimulation<Real>::finish(const std::string &folder)
 {
   report_injury(folder);
+  warn_of_rotation();
   audit_.judge(check_energy(), body_.mesh().tissues);
   if (audit_.scale() == 0. && !has_warned_of_rest_)
     log_line("WARNING: nothing has moved the body until " +

@@ -12,4 +12,8 @@ namespace contrecoup
 /// @throws InputError for other names, and for "none"
 std::vector<Tissue> find_tissues(const std::string &text,
                                  const std::string &entry);
+
+/// The tissue with this name. @param entry that holds it, for errors
+/// @throws InputError for other names, with a list, and for "none"
+Tissue find_one_tissue(const std::string &name, const std::string &entry);
 } // namespace contrecoup

@@ -109,15 +109,16 @@ update_shear(const SolidLaw<Number> &law,
   {
     const Symmetric3<Number> now =
       relax(relaxed, strain.shear_measure, law.decay_before);
-    Symmetric3<Number> stretch, rate;
+    Symmetric3<Number> pull, away;
     for (unsigned int k = 0; k < 6; ++k)
     {
       shear[k] -= law.twice_relaxing * now[k];
-      stretch[k] = strain.total[k] - now[k];
-      rate[k] = strain.shear_measure[k] - now[k];
+      away[k] = strain.shear_measure[k] - relaxed[k];
+      pull[k] =
+        law.relaxing_fraction * (strain.total[k] - strain.shear_measure[k]) +
+        law.lost_fraction * away[k];
     }
-    dissipation =
-      law.twice_relaxing * law.dissipation_per_strain * contract(stretch, rate);
+    dissipation = law.twice_relaxing * contract(pull, away);
     relaxed = relax(now, strain.shear_measure, law.decay_after);
   }
   return shear;

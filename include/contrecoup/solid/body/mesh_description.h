@@ -42,6 +42,7 @@ private:
   /// Elements with a true expression get this tissue; later regions win.
   struct Region
   {
+    std::string name;
     Tissue tissue;
     Expression where;
   };

@@ -3,11 +3,10 @@
 
 #pragma once
 
-#include <contrecoup/materials/solid_material.h>
+#include <contrecoup/materials/own_tissues.h>
 
 #include <deal.II/base/parameter_handler.h>
 
-#include <map>
 #include <string>
 #include <vector>
 
@@ -19,6 +18,7 @@ class SolidMaterials
 public:
   static void declare_parameters(dealii::ParameterHandler &prm);
 
+  /// Call before names of tissues are read elsewhere: new ones become known.
   /// @throws InputError for properties that no stable solid has
   void parse_parameters(dealii::ParameterHandler &prm);
 
@@ -28,12 +28,36 @@ public:
   /// Materials of several tissues, in the order of @p tissues.
   std::vector<SolidMaterial> find(const std::vector<Tissue> &tissues) const;
 
+  /// What the file changes in a tissue of the library, or says of a new one:
+  /// "Shear modulus = 2000 Pa instead of 2.857e+07"; empty: nothing.
+  std::string changes(Tissue tissue) const;
+
+  /// Name of the set of the library.
+  const std::string &set() const
+  {
+    return set_;
+  }
+
+  /// Tissues that cavitate.
+  const std::vector<Tissue> &cavitating() const
+  {
+    return cavitating_;
+  }
+
+  /// Tissues that have a section of their own.
+  std::vector<Tissue> own() const
+  {
+    return own_.tissues();
+  }
+
 private:
+  SolidMaterial of_library(Tissue tissue) const;
+
   std::string set_;
   bool has_gas_ = true; ///< whether the lung of a set contains air
   bool g1_is_long_term_ = false;
   std::vector<Tissue> cavitating_;
   double largest_tension_ = no_cavitation; ///< of cavitating tissues [Pa]
-  std::map<Tissue, SolidMaterial> custom_;
+  OwnTissues own_;
 };
 } // namespace contrecoup::solid

@@ -9,6 +9,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace contrecoup::solid
@@ -59,6 +60,10 @@ struct SolidMesh
 SolidMesh distribute(const HexMesh &mesh,
                      MPI_Comm communicator,
                      const SlipInterface &slip = {});
+
+/// Extent of the body in words: "the body lies from (0, 0, 0) to (1, 1, 1) m".
+/// Collective.
+std::string extent_in_words(const SolidMesh &mesh, MPI_Comm communicator);
 
 /// Undeformed volume of a local cell [m^3].
 double cell_volume(const SolidMesh &mesh, const std::uint32_t cell);

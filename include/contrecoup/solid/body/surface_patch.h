@@ -30,6 +30,18 @@ public:
   template <typename Real>
   double inward_velocity(const NodeFields<Real> &nodes) const;
 
+  /// Distance of the nearest facet's centre from the point [m].
+  double distance() const
+  {
+    return distance_;
+  }
+
+  /// Mean edge of the facets [m].
+  double facet_edge() const
+  {
+    return facet_edge_;
+  }
+
   /// Area of the patch on all ranks [m^2].
   double area() const
   {
@@ -46,6 +58,8 @@ private:
 
   std::vector<Facet> facets_;
   double area_ = 0.;
+  double distance_ = 0.;
+  double facet_edge_ = 0.;
   MPI_Comm communicator_ = MPI_COMM_SELF;
 };
 } // namespace contrecoup::solid

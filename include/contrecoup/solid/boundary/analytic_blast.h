@@ -50,6 +50,8 @@ public:
     time_ = time;
   }
   double pressure(std::size_t facet) const override;
+  /// Tells that the wave reaches no facet before the end. Collective.
+  std::string warning(double end_time) const override;
   std::vector<NamedValue> check_values() const override
   {
     return {};
@@ -79,6 +81,7 @@ private:
   std::string path_;
   dealii::Point<3> centre_;
   double time_ = 0.;
+  MPI_Comm communicator_ = MPI_COMM_SELF;
 
   bool from_tables_ = false;
   std::string set_;

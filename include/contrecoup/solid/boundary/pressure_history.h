@@ -8,6 +8,7 @@
 #include <deal.II/base/point.h>
 
 #include <array>
+#include <string>
 #include <vector>
 
 namespace contrecoup::solid
@@ -36,6 +37,11 @@ public:
 
   /// Overpressure on a facet at the current time [Pa].
   virtual double pressure(std::size_t facet) const = 0;
+
+  /// What is not known until the end time of the run [s], such as pressures
+  /// after the last sample of a record, in one sentence; empty: all is known.
+  /// Call after reinit(). Collective.
+  virtual std::string warning(double end_time) const = 0;
 
   /// Checks of the mapping of loads onto the facets, for the summary.
   /// Collective.

@@ -40,6 +40,10 @@ public:
   void set_time(double time) override;
   double pressure(std::size_t facet) const override;
 
+  /// Tells that the record ends before the run: when, and the largest pressure
+  /// that is left then, and where. Collective.
+  std::string warning(double end_time) const override;
+
   /// Distances of the facets, the pressure factor, and the impulse of all
   /// samples on the recorded surface and, including the factor, on this
   /// surface. Collective.
@@ -62,6 +66,7 @@ private:
   MPI_Comm communicator_ = MPI_COMM_SELF;
   /// recorded facet of each facet of this rank
   std::vector<std::uint32_t> source_;
+  std::vector<dealii::Point<3>> middles_;
   std::vector<dealii::Tensor<1, 3>> areas_;
   std::vector<double> distances_;
 

@@ -42,6 +42,16 @@ public:
            const std::vector<Tissue> &held,
            double least_pressure);
 
+  /// Tissues on either side; empty if no interface slides.
+  const std::vector<Tissue> &sliding() const
+  {
+    return sliding_;
+  }
+  const std::vector<Tissue> &held() const
+  {
+    return held_;
+  }
+
   /// Whether any interface slides.
   bool active() const
   {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <contrecoup/base/parameters/expression.h>
+#include <contrecoup/base/parameters/selections.h>
 #include <contrecoup/solid/body/node_fields.h>
 #include <contrecoup/solid/body/solid_mesh.h>
 
@@ -24,6 +25,10 @@ public:
   void parse_parameters(dealii::ParameterHandler &prm);
 
   void reinit(const SolidMesh &mesh);
+
+  /// Adds the number of nodes that each support selects among those that this
+  /// rank owns.
+  void add_selections(const SolidMesh &mesh, Selections &selections) const;
 
   /// Whether the entries prescribe a velocity that is not the number 0.
   bool moves() const;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <contrecoup/base/parameters/expression.h>
+#include <contrecoup/base/parameters/selections.h>
 #include <contrecoup/solid/body/node_fields.h>
 #include <contrecoup/solid/body/solid_mesh.h>
 #include <contrecoup/solid/boundary/pressure_history.h>
@@ -29,6 +30,13 @@ public:
   void parse_parameters(dealii::ParameterHandler &prm);
 
   void reinit(const SolidMesh &mesh, MPI_Comm communicator);
+
+  /// Adds the number of boundary facets of this rank that each load selects.
+  void add_selections(const SolidMesh &mesh, Selections &selections) const;
+
+  /// Warns of loads whose records end before the end time of the run [s], or
+  /// whose waves arrive after it. Call after reinit(). Collective.
+  void warn_of_times(double end_time) const;
 
   /// Computes the pressures and nodal forces of this rank at a time [s].
   void set_time(double time);

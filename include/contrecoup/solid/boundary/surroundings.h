@@ -42,6 +42,11 @@ public:
    */
   void set_step(const double step, const double used);
 
+  /// @throws InputError if nodes are in the ground, on all ranks. Collective.
+  template <typename Real>
+  void refuse_buried(const NodeFields<Real> &nodes,
+                     MPI_Comm communicator) const;
+
   /// Adds gravity and contact forces. Call after the exchange over ranks,
   /// since each rank adds them in full to its copies of shared nodes.
   template <typename Real>

@@ -32,7 +32,8 @@ public:
     return active_;
   }
 
-  /// @p body must outlive this.
+  /// @p body must outlive this. @throws InputError if the body has a lung but
+  /// no surface near the chest
   void reinit(const SolidBody<Real> &body);
 
   /// Call after each step. Collective.
@@ -52,6 +53,9 @@ public:
 private:
   void follow_brain(const SolidBody<Real> &body, const double span);
   void follow_head(const SolidBody<Real> &body);
+  static bool has_lung(const SolidBody<Real> &body);
+  /// @throws InputError if the chest is not on the body's surface
+  void refuse_far_chest() const;
   void find_skull(const SolidBody<Real> &body);
   void add_brain(const SolidBody<Real> &body,
                  std::vector<InjuryMeasure> &list) const;

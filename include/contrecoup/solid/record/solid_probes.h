@@ -36,6 +36,8 @@ public:
   void parse_parameters(dealii::ParameterHandler &prm);
 
   /// Finds the node and the element nearest to each probe. Collective.
+  /// @throws InputError on all ranks for a probe outside of the body, by more
+  /// than half an element: stairs of voxels are that far from a surface
   void reinit(const SolidMesh &mesh, MPI_Comm communicator);
 
   /// Reads all probes and updates the measures. Collective.

@@ -14,9 +14,10 @@ namespace contrecoup::solid
 {
 /**
  * The energy balance of a run and its limits, subsection "Energy audit":
- * missing energy, and energy stored in hourglass modes, the largest one over
- * the run against the largest internal energy over the run, for the whole body
- * and by tissue. Peaks between calls of record() are missed.
+ * missing energy, and energy stored in hourglass modes: in each tissue the
+ * largest one over the run against the tissue's largest internal energy over
+ * the run; that of the run is the largest of all tissues. Peaks between calls
+ * of record() are missed.
  */
 class EnergyAudit
 {
@@ -38,8 +39,8 @@ public:
   std::vector<NamedValue> checks(const EnergyLedger &ledger,
                                  const std::vector<Tissue> &tissues) const;
 
-  /// Logs the balance, and warnings. @throws NumericsError if a limit is
-  /// exceeded
+  /// Logs the balance, and warns of tissues with too much hourglass energy.
+  /// @throws NumericsError if too much energy is missing
   void judge(const EnergyLedger &ledger,
              const std::vector<Tissue> &tissues) const;
 
@@ -58,6 +59,8 @@ private:
   /// Largest stored hourglass energy over the largest internal energy [-];
   /// energies below a thousandth of the largest energy of the run do not count.
   double hourglass_part(const Largest &largest) const;
+  /// The largest of all tissues.
+  double hourglass_part() const;
   double residual(const EnergyLedger &ledger) const;
   void judge_residual(const EnergyLedger &ledger) const;
   void judge_hourglass(const std::vector<Tissue> &tissues) const;

@@ -13,6 +13,7 @@
 #include <contrecoup/solid/record/peak_fields.h>
 #include <contrecoup/solid/record/solid_probes.h>
 #include <contrecoup/solid/run/energy_audit.h>
+#include <contrecoup/solid/run/solid_selections.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -41,6 +42,11 @@ public:
   void parse_parameters(dealii::ParameterHandler &prm);
 
   CostEstimate estimate() override;
+  std::vector<Assumption> plan() override;
+  std::vector<Assumption> audit() override
+  {
+    return plan();
+  }
   void setup() override;
   void restore(const std::string &folder) override;
   void save(const std::string &folder) override;
@@ -65,7 +71,15 @@ public:
 
 private:
   void build();
+  SolidSelectors selectors() const;
+
+  /// Builds the mesh to find entries that select nothing.
+  /// @throws InputError
+  void check_selections();
   void report_step() const;
+
+  /// Warns once if elements turn although strains are to be small.
+  void warn_of_rotation();
 
   /// Warns if nothing can move the body. @param ledger of the start
   void warn_of_rest(const EnergyLedger &ledger);
@@ -93,6 +107,7 @@ private:
   EnergyAudit audit_;
   double end_time_ = 0.;
   bool has_warned_of_rest_ = false;
+  bool has_warned_of_rotation_ = false;
 
   SolidBody<Real> body_;
   StableStep stability_;

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/solid/body/solid_materials.h>
+#include <contrecoup/solid/boundary/slip_ties.h>
+#include <contrecoup/solid/boundary/supports.h>
+#include <contrecoup/solid/boundary/surface_loads.h>
+
+namespace contrecoup::solid
+{
+/// What the entries of a run select in its mesh.
+struct SolidSelectors
+{
+  const Supports &supports;
+  const SurfaceLoads &loads;
+  const SolidMaterials &materials;
+  const SlipTies &slip;
+  bool reports_injury; ///< of brain and chest
+};
+
+/// Requires that each support, load and tissue that an entry names is in the
+/// mesh, and a brain or a lung if injuries are to be reported. Collective.
+/// @throws InputError on all ranks that names the first entry without any
+void require_selections(const SolidMesh &mesh,
+                        const SolidSelectors &selectors,
+                        MPI_Comm communicator);
+} // namespace contrecoup::solid

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/system/log.h>
+#include <contrecoup/base/system/text.h>
+#include <contrecoup/solid/body/tissue_measures.h>
+#include <contrecoup/solid/motion/element_rotation.h>
+#include <contrecoup/solid/run/solid_simulation.h>
+
+#include <limits>
+#include <sstream>
+
+namespace contrecoup::solid
+{
+namespace
+{
+  /// Element updates per second and core, for estimates only.
+  constexpr double typical_speed = 1.5e7;
+
+  /// Memory per element with its nodes and a part of the mesh [bytes].
+  constexpr double typical_memory = 900.;
+
+  /// Number of elements up to which --check builds the mesh to find what its
+  /// entries select.
+  constexpr double cheap_mesh = 2e4;
+
+  /// Rotation of which small strain makes a strain of 1.25e-3 [rad].
+  constexpr double notable_rotation = 0.05;
+} // namespace
+
+
+template <typename Real>
+SolidSelectors SolidSimulation<Real>::selectors() const
+{
+  return {supports_, loads_, materials_, slip_, injury_.active()};
+}
+
+
+template <typename Real>
+CostEstimate SolidSimulation<Real>::estimate()
+{
+  CostEstimate cost;
+  cost.cells = mesh_description_.estimate_elements();
+  cost.unknowns = 3. * cost.cells;
+  cost.memory = typical_memory * cost.cells * (sizeof(Real) == 4 ? 0.7 : 1.);
+  const double step = mesh_description_.estimate_step(materials_);
+  cost.steps = end_time_ / (safety_ * options_.step_factor() * step);
+  cost.seconds = cost.steps * cost.cells / typical_speed /
+                 dealii::Utilities::MPI::n_mpi_processes(communicator_);
+  if (cost.cells <= cheap_mesh)
+    check_selections();
+  return cost;
+}
+
+
+template <typename Real>
+void SolidSimulation<Real>::check_selections()
+{
+  HexMesh mesh = mesh_description_.create();
+  SlipInterface slip;
+  if (slip_.active())
+    slip = slip_.split(mesh);
+  const SolidMesh part = distribute(mesh, communicator_, slip);
+  require_selections(part, selectors(), communicator_);
+  probes_.reinit(part, communicator_);
+}
+
+
+template <typename Real>
+std::vector<Assumption> SolidSimulation<Real>::plan()
+{
+  std::vector<Assumption> items;
+  for (const Tissue tissue : materials_.own())
+    items.push_back({tissue_column("own", tissue),
+                     name_of(tissue) + " with " + materials_.changes(tissue),
+                     "speed of its pressure waves",
+                     "m/s",
+                     materials_.find(tissue).dilatational_speed(),
+                     std::numeric_limits<double>::quiet_NaN(),
+                     false,
+                     "Materials/Tissue " + name_of(tissue)});
+  return items;
+}
+
+
+template <typename Real>
+void SolidSimulation<Real>::report_step() const
+{
+  std::ostringstream line;
+  line << "step " << brief(stable_step_) << " s: " << brief(safety_)
+       << " of what the body allows, "
+       << brief(options_.step_factor() * stability_.body_step)
+       << " s (highest frequency within "
+       << brief(100. * stability_.uncertainty, 2) << " % after "
+       << stability_.iterations << " iterations); alone, element "
+       << stability_.element << " of " << name_of(stability_.tissue) << " at ("
+       << stability_.center << ") m "
+       << (body_.mass_scaling().active() ? "without added mass " : "")
+       << "would allow "
+       << brief(options_.step_factor() * stability_.element_step) << " s";
+  log_line(line.str());
+  const std::vector<NamedValue> &scaled = body_.mass_scaling().report();
+  for (std::size_t i = 0; i < scaled.size(); i += 2)
+    if (scaled[i].value > 0.)
+      log_line("mass scaling: " + brief(scaled[i].value) + " elements, " +
+               brief(scaled[i + 1].value) + " kg more (" + scaled[i + 1].name +
+               ")");
+}
+
+
+template <typename Real>
+void SolidSimulation<Real>::warn_of_rotation()
+{
+  if (options_.kinematics != SolidKinematics::small_strain ||
+      has_warned_of_rotation_)
+    return;
+  const double angle =
+    largest_rotation(body_.mesh(), body_.nodes(), communicator_);
+  if (angle < notable_rotation)
+    return;
+  has_warned_of_rotation_ = true;
+  log_line(
+    "WARNING: at " + brief(body_.time()) + " s an element has turned by " +
+    brief(angle * 180. / dealii::numbers::PI, 2) +
+    " degrees, which Elements/Kinematics = small strain takes for a "
+    "strain of " +
+    brief(0.5 * angle * angle, 2) + "; with finite rotation it has none");
+}
+
+
+template class SolidSimulation<double>;
+template class SolidSimulation<float>;
+} // namespace contrecoup::solid
