@@ -422,9 +422,9 @@ class ReportTest(unittest.TestCase):
                 ("lung_lethality", 0.995, "almost certainly dies"),
                 ("ear_rupture_left ear", 0.01, "eardrums stay intact"),
                 ("ear_rupture_left ear", 0.2, "eardrums may rupture (20\u00a0%, "
-                 "numerical error unknown, by the tables 50 to 90\u00a0%)"),
+                 "by the tables 50 to 90\u00a0%)"),
                 ("ear_rupture_left ear", 0.6, "eardrums probably rupture (60"
-                 "\u00a0%, numerical error unknown)"),
+                 "\u00a0%)"),
                 ("chest_wall_mean", 2., "no lung injury"),
                 ("chest_wall_mean", 14., "lung injury severe")):
             known = injury_thresholds.KNOWN[

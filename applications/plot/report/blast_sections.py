@@ -82,7 +82,8 @@ def verdict_figure(scene, verdicts):
         return page.missing("loads.h5 of a body in the blast's folder")
     places, marks = known.places(), []
     for one in verdicts:
-        names = [name for name in PLACES.get(one.subject, ())
+        ear = one.entry.name.removeprefix("ear_rupture_")
+        names = [name for name in (ear, *PLACES.get(one.subject, ()))
                  if name in places]
         # The side with the larger load is the one that is shown.
         marks += [body_loads.Mark(places[name], one.label(),

@@ -181,7 +181,7 @@ def _tables(scene, judged):
             + page.chance(scene.table_answer("lung_lethality")[0])
             + f" in the open, where this run has {death.shown()}. Trust "
             "neither before a run with a finer Scene/Accuracy.")
-    differing = []
+    differing, chances = [], []
     for row in scene.list_of("table_comparison"):
         here, known = (files.as_number(row.get(key))
                        for key in ("run", "tables"))
@@ -189,8 +189,9 @@ def _tables(scene, judged):
             continue
         words = COMPARED.get(row.get("name"), str(row.get("name")))
         if row.get("name") in CHANCES:
-            differing.append(f"the {words} is {page.chance(here)}, not the "
-                             f"{page.chance(known)} of")
+            if page.chance(here) != page.chance(known):
+                chances.append(f"the {words} is {page.chance(known)}, where "
+                               f"this run has {page.chance(here)}")
         elif row.get("name") != "lung_exposure":
             change = here / known - 1.
             differing.append(f"the {words} is {page.percent(abs(change))} "
@@ -204,7 +205,8 @@ def _tables(scene, judged):
                "measured)") + "; loads and verdicts carry "
             + ("these differences." if len(differing) > 1
                else "this difference."))
-    return parts
+    return parts + ["By the tables, " + page.joined(chances) + "."
+                    for _ in chances[:1]]
 
 
 def _verdicts(judged):

@@ -40,6 +40,8 @@ def verdicts(scene, judged):
 def sentence(found):
     """Verdicts as one sentence."""
     text = "; ".join(str(one) for one in found)
+    if any(one.entry.error is None for one in found):
+        text += "; numerical error unknown"
     return text[:1].upper() + text[1:] + "." if text else (
         "The injury is unknown: the scene has neither gauges at chest and ears "
         "nor measures of injury.")
@@ -52,7 +54,7 @@ def _word(words, value):
 def _by_the_numerics(entry):
     """The bounds of a probability in words; "" where they say no more."""
     if entry.error is None:
-        return ", numerical error unknown"
+        return ""
     bounds = page.interval(*entry.bounds())
     return "" if bounds == entry.shown() else f", by the numerics {bounds}"
 
@@ -143,7 +145,7 @@ def _lungs(judged):
     if entry is None:
         return None
     here = _levels(entry, (entry.value, entry.value))
-    detail = "numerical error unknown"
+    detail = ""
     if entry.error is not None:
         bounds = _levels(entry, entry.bounds())
         detail = "" if bounds == here else f"by the numerics {bounds}"

@@ -426,13 +426,12 @@ def _without_tables(text, files):
                          "eardrums by the tables")
     text = re.sub(r", by the tables .*?%(?=\))", "", text)
     for row in files.scene.get("table_comparison", []):
-        for match in re.findall(r"eardrum in the open is (.*?), not the (.*?) "
-                                "of", text) * (row["name"]
+        for match in re.findall(r"eardrum in the open is (.*?), where this "
+                                r"run has (.*?)(?=\.\n)", text) * (row["name"]
                                                == "eardrum_rupture"):
-            require_chance(match[0], row["run"], row["name"])
-            require_chance(match[1], row["tables"], row["name"])
-    text = re.sub(r"(?<=in the open is ).*?(?= of)|"
-                  r"(?<=lung injury is ).*?(?= of)", "…", text)
+            require_chance(match[0], row["tables"], row["name"])
+            require_chance(match[1], row["run"], row["name"])
+    text = re.sub(r"(?<=By the tables, ).*?(?=\.\n)", "…", text)
     return re.sub(r"(?<=by this run, )[^)]*(?= by the tables)|"
                   r"(?<=death with a probability of ).*?(?=, where)|"
                   r"(?<=where this run has ).*?(?=\. Trust)", "…", text)
