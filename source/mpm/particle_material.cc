@@ -246,7 +246,7 @@ ParticleValues particle_values(const ParticleMaterial &material,
   result.pressure =
     particles[material.is_smoothed ? column::smoothed : column::pressure]
              [particle];
-  result.shear_strain = 0.;
+  result.shear_strain = result.principal_strain = 0.;
   if (material.solid() == nullptr)
     return result;
   Matrix3<double> h;
@@ -258,6 +258,7 @@ ParticleValues particle_values(const ParticleMaterial &material,
     green[k % 3][k < 3 ? k : (k + 1) % 3] = strain[k];
   const auto principal = dealii::eigenvalues(green);
   result.shear_strain = principal[0] - principal[2];
+  result.principal_strain = principal[0];
   return result;
 }
 } // namespace contrecoup::mpm

@@ -105,6 +105,14 @@ namespace
         mean[c] /= c == column::energy ? 1. : volume;
       for (const State &one : states)
       {
+        for (const unsigned int c :
+             {unsigned(column::peak_strain), unsigned(column::peak_pressure)})
+          mean[c] = std::max(mean[c], one[c]);
+        mean[column::lowest_pressure] =
+          std::min(mean[column::lowest_pressure], one[column::lowest_pressure]);
+      }
+      for (const State &one : states)
+      {
         const Vector x = vector_at(one, column::position) - centre,
                      v = vector_at(one, column::velocity) - velocity;
         spin += one[column::mass] * dealii::cross_product_3d(x, v);

@@ -284,7 +284,7 @@ contrecoup_add_application_test(refuses_place_without_region refusal
   MESSAGE "m is in none")
 contrecoup_add_application_test(refuses_empty_region refusal
   FILE ${_folder}/sod.prm SET "Region third/Where=x > 2"
-  MESSAGE "Region third: no cell has its centre there")
+  MESSAGE "Region third/Where = \"x > 2\" selects no centre of a cell")
 contrecoup_add_application_test(refuses_to_put_regions_back refusal
   FILE ${_folder}/sod.prm SET "Region other/Where=x > 0.5"
   "Region other/Pressure=1"
@@ -471,7 +471,7 @@ contrecoup_add_application_test(refuses_solid_that_slips refusal
   MESSAGE "Interface = slip is for fluids")
 contrecoup_add_application_test(refuses_slip_along_nothing refusal
   FILE ${_folder}/sod.prm SET "Region gas/Interface=slip" "Rezone/Kind=elastic"
-  MESSAGE "Interface = slip: it meets no region that sticks")
+  MESSAGE "Interface = \"slip\" selects no face of a region that sticks")
 
 # A head of cubes that anatomy made, and defects of such files.
 set(_of_file "Mesh/Kind=file" "Mesh/Symmetry planes="
@@ -530,7 +530,7 @@ set_tests_properties(head_impact_report_figures head_impact_report_page
 
 contrecoup_add_application_test(refuses_wall_in_head refusal
   FILE head_impact/quickstart.prm SET "Plane wall/Point=0, 0, -0.09"
-  MESSAGE "Plane wall: it cuts the mesh at the start, which reaches 0.001 m")
+  MESSAGE "Plane wall: it cuts the body at the start, which reaches 0.001 m")
 contrecoup_add_application_test(refuses_pressed_solid refusal
   FILE head_impact/quickstart.prm SET "Region skull/Pressure=1e5"
   MESSAGE "Pressure must be 0 in a solid")

@@ -142,7 +142,7 @@ contrecoup_add_application_test(front_refuses_lists refusal
   MESSAGE "Reference/Front/Positions has 6 numbers, and Times has 2")
 contrecoup_add_application_test(front_refuses_region refusal
   FILE ${_folder}/dam_break.prm SET "Reference/Front/Region=oil"
-  MESSAGE "Reference/Front/Region: there is no region oil")
+  MESSAGE "Reference/Front/Region: there is no region \"oil\"")
 contrecoup_add_application_test(clamped_refuses_ale refusal
   FILE ${_folder}/water_hammer.prm SET "Side x-/Kind=clamped"
   MESSAGE "Side x-/Kind = clamped is for particles only, Method = mpm")
@@ -157,7 +157,7 @@ contrecoup_add_application_test(metals_refuse_to_melt refusal
   MESSAGE "Region bar: Melting temperature = 273 K must be above Reference")
 contrecoup_add_application_test(extents_refuse_region refusal
   FILE ${_folder}/taylor_bar.prm SET "Reference/Extent foot/Region=oil"
-  MESSAGE "Reference/Extent foot/Region: there is no region oil")
+  MESSAGE "Reference/Extent foot/Region: there is no region \"oil\"")
 contrecoup_add_application_test(extents_refuse_none refusal
   FILE ${_folder}/two_disks.prm SET "Reference/Kind=extents"
   MESSAGE "Reference/Kind = extents: there is none")

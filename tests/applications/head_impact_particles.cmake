@@ -41,7 +41,7 @@ contrecoup_add_application_test(particles_refuse_gas refusal
   MESSAGE "particles are tait, elastic, viscoelastic, johnson-cook or a tissue")
 contrecoup_add_application_test(particles_refuse_wall_in_head refusal
   FILE head_impact/quickstart.prm SET ${_particles} "Plane wall/Point=0, 0, -0.09"
-  MESSAGE "Plane wall: it cuts the matter at the start, which reaches 0.0009")
+  MESSAGE "Plane wall: it cuts the body at the start, which reaches 0.001")
 contrecoup_add_application_test(particles_refuse_linear_apic refusal
   FILE head_impact/quickstart.prm SET ${_particles} "MPM/Basis=linear"
   "MPM/Transfer=apic" MESSAGE "apic needs MPM/Basis = quadratic or cubic")
@@ -58,7 +58,7 @@ contrecoup_add_application_test(particles_refuse_probe_outside refusal
   FILE head_impact/quickstart.prm SET ${_particles} "Probes/Points=0, 0, 1"
   MESSAGE "is outside of the matter")
 contrecoup_add_application_test(bodies_refuse_ale refusal
-  FILE head_impact/quickstart.prm SET "Mesh/Kind=body"
+  FILE head_impact/quickstart.prm SET "Mesh/Kind=body" "Mesh/Symmetry planes="
   MESSAGE "Mesh/Kind = body is for particles only, Method = mpm")
 
 # The report on a head of particles, and on two runs of one head.

@@ -17,6 +17,8 @@ import shutil
 import subprocess
 import sys
 
+import head_cases
+
 FOLDER = "input_cases"
 SCENE = "scene/quickstart.prm"
 SOD = "blast/verification/sod.prm"
@@ -257,6 +259,16 @@ def accepted():
     yield ("no entry", "blast", b"# nothing\n", "sets no entry")
 
 
+def refused_heads():
+    """Scenes of head_impact that contradict themselves or select nothing."""
+    return head_cases.refused(shipped, entry)
+
+
+def warned_heads():
+    """Scenes of head_impact that are computed with a warning."""
+    return head_cases.warned(shipped, entry)
+
+
 def make_files():
     shutil.rmtree(FOLDER, ignore_errors=True)
     os.makedirs(os.path.join(FOLDER, A_FOLDER))
@@ -346,7 +358,9 @@ def main(programs, repository):
                               (refused_selections, judge_refusal),
                               (refused_other_files, judge_refusal),
                               (refused_scenes, judge_refusal),
-                              (accepted, judge_acceptance)]:
+                              (refused_heads, judge_refusal),
+                              (accepted, judge_acceptance),
+                              (warned_heads, judge_acceptance)]:
         of_application = {}
         for case in cases():
             of_application.setdefault(case[1], []).append(case)

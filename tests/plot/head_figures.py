@@ -123,6 +123,8 @@ def check_headline(page, files):
         (rf"plane at ({number} m/s)",
          -history["momentum_z"][0] / history["mass"][0]),
         (rf"The run ends after ({number} ms)", history["time"][-1]),
+        (rf"pushes with ({number} \w+) at most",
+         files.found["peak_contact_force"]),
         (rf"strained by less than ({number} %)",
          files.injury["injury_strain_95"])]
     if "injury_hic15" in files.injury:

@@ -93,7 +93,10 @@ def answer(run, judged):
     if run.planes:
         text[0] += f" hits a rigid plane at {_impact_speed(run)}."
         rebound, end = run.rebound(), run.last_contact()
-        force, when = largest_force(run)
+        force, when = (run.contact(f"peak_contact_force{part}")
+                       for part in ("", "_time"))
+        if force is None:
+            force, when = largest_force(run)
         text.append(
             f"The plane pushes with {page.quantity(force, 'N')} at most, after "
             f"{page.milliseconds(when)}; " + (
@@ -199,11 +202,11 @@ def _thickness(run, name):
     for entry in ("CSF", "Skull", "Scalp"):
         thickness = run.parameter(f"Mesh/{entry} thickness")
         if entry.lower() == layer and thickness:
-            cells = run.parameters.get(f"Mesh/{entry} cells", "–")
-            if run.has_particles():
-                size = (run.parameter("MPM/Cell size") or [np.nan])[0]
-                cells = page.number(thickness[0] / size, 2)
-            return f"{1e3 * thickness[0]:g} mm thick, {cells} cells across"
+            cells = run.found("checks", f"cells_across_{layer}")
+            return f"{1e3 * thickness[0]:g} mm thick" + (
+                f", {page.number(cells)} "
+                + ("cells of the grid" if run.has_particles() else "cells")
+                + " across" if cells is not None else "")
     return "–"
 
 
@@ -440,10 +443,11 @@ def measures(run):
 def injury(run, judged):
     """The injury table."""
     if not judged:
-        return [page.missing("injury.csv, without which there are no measures "
-                             "of injury")]
-    told = ("Of the brain's cells and the skull's mean motion, from "
-            "injury.csv.")
+        return [page.missing(
+            "injury.csv: no solid region is what Injury/Brain or Injury/Skull "
+            "name, or the run was not finished")]
+    told = (f"Of the brain's {'particles' if run.has_particles() else 'cells'} "
+            "and the skull's mean motion, from injury.csv.")
     if run.mirrors:
         told += (f" What is computed, {_symmetry(run).rstrip(',')}, has the "
                  "measures of the whole head: parts of the brain are the same "

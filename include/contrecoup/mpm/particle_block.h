@@ -34,16 +34,19 @@ namespace column
     initial_position = 47, ///< 3 [m]
     plastic_strain = 50,   ///< of metals [-]
     plastic_work = 51,     ///< of metals, per undeformed volume [J/m^3]
-    n_state_columns = 52,  ///< columns that are saved and move with a particle
+    peak_strain = 52,      ///< largest principal strain so far, of a brain [-]
+    peak_pressure = 53,    ///< largest pressure so far, of a brain [Pa]
+    lowest_pressure = 54,  ///< least pressure so far, of a brain [Pa]
+    n_state_columns = 55,  ///< columns that are saved and move with a particle
     // Work values within a step.
-    velocity_change = 52,   ///< 3, in this step [m/s]
-    position_change = 55,   ///< 3, in this step [m]
-    velocity_gradient = 58, ///< 9, velocity gradient by rows [1/s]
-    smoothed = 67,  ///< smoothed pressure, then smoothed rate of dilatation
-    mean_rate = 68, ///< 9, gradient of the mean velocity during the step [1/s]
-    force = 77,     ///< 3, external force [N]
-    moment = 80,    ///< 6, moment of this force about the particle [N m]
-    n_columns = 86
+    velocity_change = 55,   ///< 3, in this step [m/s]
+    position_change = 58,   ///< 3, in this step [m]
+    velocity_gradient = 61, ///< 9, velocity gradient by rows [1/s]
+    smoothed = 70,  ///< smoothed pressure, then smoothed rate of dilatation
+    mean_rate = 71, ///< 9, gradient of the mean velocity during the step [1/s]
+    force = 80,     ///< 3, external force [N]
+    moment = 83,    ///< 6, moment of this force about the particle [N m]
+    n_columns = 89
   };
 } // namespace column
 

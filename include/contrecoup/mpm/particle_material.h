@@ -64,11 +64,13 @@ double stored_energy(const ParticleMaterial &material,
 double largest_sound_speed(const ParticleMaterial &material,
                            const ParticleBlock &particles);
 
-/// Pressure [Pa], present density [kg/m^3] and shear strain (largest difference
-/// of principal strains) [-] of one particle.
+/// Values of one particle.
 struct ParticleValues
 {
-  double pressure, density, shear_strain;
+  double pressure;         ///< that acts in the stress [Pa]
+  double density;          ///< present [kg/m^3]
+  double shear_strain;     ///< largest difference of principal strains [-]
+  double principal_strain; ///< the largest [-]
 };
 ParticleValues particle_values(const ParticleMaterial &material,
                                const ParticleBlock &particles,

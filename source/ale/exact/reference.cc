@@ -111,6 +111,21 @@ void Reference::parse_parameters(ParameterHandler &prm)
 }
 
 
+void Reference::check_probes(ParameterHandler &prm, const std::size_t n_probes)
+{
+  const Section section(prm, "Reference");
+  const std::string kind = prm.get("Kind");
+  if (kind != "rigid sphere" && kind != "fluid filled shell")
+    return;
+  if (n_probes == 0)
+    throw InputError("Reference/Kind = " + kind +
+                     " compares pressures at Probes/Points, which is empty");
+  if (kind == "fluid filled shell" && n_probes % 2 != 0)
+    throw InputError("Reference/Kind = fluid filled shell needs probes in "
+                     "pairs, one opposite the other");
+}
+
+
 std::unique_ptr<ExactFlow> Reference::parse_flow(ParameterHandler &prm)
 {
   const std::string name = prm.get("Kind");

@@ -4,7 +4,6 @@
 #include <contrecoup/ale/exact/shell_pressures.h>
 #include <contrecoup/ale/mesh/cell_corners.h>
 #include <contrecoup/base/parameters/parameters.h>
-#include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/numerics/element/hex8_moments.h>
 
 #include <deal.II/base/mpi.h>
@@ -69,9 +68,6 @@ void ShellPressures::follow(const HexSpace &space,
 {
   if (places_.empty() && !probes.empty())
   {
-    if (probes.size() % 2 != 0)
-      throw InputError("Reference/Kind = fluid filled shell needs probes in "
-                       "pairs, one opposite the other");
     const auto start = space.positions(AleState::width);
     for (const std::uint32_t cell : probes)
     {

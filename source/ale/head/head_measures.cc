@@ -2,100 +2,39 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/ale/head/head_measures.h>
-#include <contrecoup/base/parameters/parameters.h>
-#include <contrecoup/base/system/exceptions.h>
-#include <contrecoup/io/file/checked_file.h>
-#include <contrecoup/solid/body/tissue_measures.h>
-#include <contrecoup/solid/motion/mean_motion.h>
 
-#include <filesystem>
-#include <sstream>
+#include <deal.II/base/mpi.h>
 
 namespace contrecoup::ale
 {
 namespace
 {
+  namespace mpi = dealii::Utilities::MPI;
+
   constexpr unsigned int width = AleState::width;
 
-  std::string file_of(const std::string &folder, const unsigned int rank)
+  dealii::Tensor<1, 3> mean_over(const std::array<std::uint32_t, 8> &cell,
+                                 const dealii::AlignedVector<double> &field)
   {
-    return folder + "/injury." + std::to_string(rank) + ".bin";
+    dealii::Tensor<1, 3> result;
+    for (const std::uint32_t node : cell)
+      for (unsigned int d = 0; d < 3; ++d)
+        result[d] += 0.125 * field[width * node + d];
+    return result;
   }
 } // namespace
 
 
-void HeadMeasures::declare_parameters(ParameterHandler &prm)
-{
-  const Section section(prm, "Injury");
-  declare_string(prm,
-                 "Brain",
-                 "brain",
-                 "Region whose strains and pressures are recorded for "
-                 "injury.csv, if a region has this name.");
-  declare_string(prm,
-                 "Skull",
-                 "skull",
-                 "Region whose mean motion is recorded for injury.csv; if "
-                 "no region has this name, that of the brain is recorded.");
-  declare_selection(prm,
-                    "Pressure",
-                    "averaged",
-                    solid::peak_pressure_names(),
-                    "Pressure in the brain: of each cell, or averaged over "
-                    "its corners and the brain cells around them. Averaging "
-                    "removes checkerboard pressures, and a tenth of waves "
-                    "as short as ten cells.");
-  declare_integer(prm,
-                  "Every steps",
-                  "10",
-                  1,
-                  1000000,
-                  "Steps between evaluations; peaks in between are missed.");
-}
-
-
-void HeadMeasures::parse_parameters(ParameterHandler &prm)
-{
-  {
-    const Section section(prm, "Injury");
-    brain_name_ = prm.get("Brain");
-    skull_name_ = prm.get("Skull");
-    averaged_ = prm.get("Pressure") == solid::peak_pressure_names()[0];
-    interval_ = read_unsigned(prm, "Every steps");
-  }
-  const Section section(prm, "Mesh");
-  if (prm.get("Kind") == "layered head" || prm.get("Kind") == "file")
-    is_mirrored_ = read_symmetry_planes(prm);
-}
-
-
-unsigned int HeadMeasures::find(const std::vector<Region> &regions,
-                                const std::string &entry,
-                                const std::string &name)
-{
-  for (unsigned int i = 0; i < regions.size(); ++i)
-    if (regions[i].name == name)
-    {
-      if (regions[i].solid() == nullptr)
-        throw InputError("Injury/" + entry + ": region \"" + name +
-                         "\" is a fluid");
-      return i;
-    }
-  return none;
-}
-
-
 void HeadMeasures::reinit(const HexSpace &space,
                           const LagrangeStep &lagrange,
-                          const AleState &state,
-                          const std::vector<Region> &regions)
+                          const AleState &state)
 {
-  brain_ = find(regions, "Brain", brain_name_);
-  skull_ = find(regions, "Skull", skull_name_);
   cells_.clear();
+  heights_.clear();
   record_.samples.clear();
   std::vector<solid::NodalAverage::Corners> corners;
   std::vector<double> volumes;
+  double volume = 0., moment = 0.;
   for (std::uint32_t c = 0; c < space.n_locally_owned_cells(); ++c)
     if (space.region(c) == brain_)
     {
@@ -106,9 +45,16 @@ void HeadMeasures::reinit(const HexSpace &space,
       record_.samples.push_back(sample);
       corners.push_back(space.cell(c));
       volumes.push_back(sample.volume);
+      heights_.push_back(height(mean_over(space.cell(c), state.position)));
+      volume += sample.volume;
+      moment += sample.volume * heights_.back();
     }
+  volume = mpi::sum(volume, space.communicator());
+  moment = mpi::sum(moment, space.communicator());
+  for (double &one : heights_)
+    one -= moment / volume;
   solid::NodalAverage::AddRanks add_ranks;
-  if (dealii::Utilities::MPI::n_mpi_processes(space.communicator()) > 1)
+  if (mpi::n_mpi_processes(space.communicator()) > 1)
   {
     FieldExchange exchange;
     exchange.reinit(space.nodes(), 1);
@@ -128,17 +74,15 @@ void HeadMeasures::follow(const HexSpace &space,
                           const LagrangeStep &lagrange,
                           const AleState &state)
 {
-  if (!active() || record_.n_steps++ % interval_ != 0)
+  if (!is_due())
     return;
-  follow_brain(lagrange, state, state.time - record_.last_time);
-  record_.last_time = state.time;
+  follow_brain(lagrange, state);
   follow_motion(space, state);
 }
 
 
 void HeadMeasures::follow_brain(const LagrangeStep &lagrange,
-                                const AleState &state,
-                                const double span)
+                                const AleState &state)
 {
   std::vector<double> pressures;
   for (std::size_t i = 0; i < record_.samples.size(); ++i)
@@ -148,12 +92,11 @@ void HeadMeasures::follow_brain(const LagrangeStep &lagrange,
       std::max(record_.samples[i].peak_strain, values.principal_strain);
     pressures.push_back(values.pressure);
   }
-  solid::record_pressures(span,
-                          pressures,
-                          average_.average(pressures),
-                          averaged_,
-                          record_.samples,
-                          record_.sums);
+  record_brain(state.time,
+               pressures,
+               average_.average(pressures),
+               heights_,
+               record_.samples);
 }
 
 
@@ -164,69 +107,14 @@ void HeadMeasures::follow_motion(const HexSpace &space, const AleState &state)
   for (std::size_t c = 0; c < space.n_locally_owned_cells(); ++c)
   {
     const unsigned int region = space.region(c);
-    if (region != moving_region() && region != brain_)
+    if (!is_of_head(region))
       continue;
-    dealii::Tensor<1, 3> place, velocity;
-    for (const std::uint32_t node : space.cell(c))
-      for (unsigned int d = 0; d < 3; ++d)
-      {
-        place[d] += 0.125 * state.position[width * node + d];
-        velocity[d] += 0.125 * state.velocity[width * node + d];
-      }
+    const auto place = mean_over(space.cell(c), state.position),
+               velocity = mean_over(space.cell(c), state.velocity);
     head.add(state.mass[c], place, velocity);
     if (region == moving_region())
       moving.add(state.mass[c], place, velocity);
   }
-  head.find(space.communicator(), is_mirrored_);
-  moving.find(space.communicator(), is_mirrored_);
-  record_.motion.add(
-    state.time, moving.velocity_at(head.centre()), moving.angular_velocity());
-}
-
-
-std::vector<solid::InjuryMeasure>
-HeadMeasures::measures(const MPI_Comm communicator) const
-{
-  auto list =
-    solid::brain_measures(record_.samples, record_.sums, communicator);
-  if (!averaged_)
-    for (solid::InjuryMeasure &measure : list)
-      if (measure.value.unit == "Pa")
-        measure.limits += "; of single cells";
-  const std::string moving = skull_ == none ? "the mean motion of the brain"
-                             : brain_ == none
-                               ? "the mean motion of the skull"
-                               : "the skull, at the centre of brain and skull";
-  for (const solid::InjuryMeasure &measure : solid::head_motion_measures(
-         record_.motion, moving + ", until the end of the run"))
-    list.push_back(measure);
-  return list;
-}
-
-
-void HeadMeasures::save(const std::string &folder,
-                        const MPI_Comm communicator) const
-{
-  if (!active())
-    return;
-  const unsigned int rank =
-    dealii::Utilities::MPI::this_mpi_process(communicator);
-  io::write_file(file_of(folder, rank),
-                 [&](std::ostream &out) { record_.save(out); });
-}
-
-
-void HeadMeasures::restore(const std::string &folder,
-                           const MPI_Comm communicator)
-{
-  if (!active())
-    return;
-  unsigned int rank = 0;
-  do
-  {
-    const std::string file = file_of(folder, rank);
-    std::istringstream in(io::read_file(file));
-    record_.restore(in, file, rank, communicator);
-  } while (std::filesystem::exists(file_of(folder, ++rank)));
+  record_motion(state.time, space.communicator(), moving, head);
 }
 } // namespace contrecoup::ale

@@ -156,8 +156,8 @@ void ImpactPlan::add_symmetry(std::vector<Assumption> &items) const
                       1. - cost,
                       wedge.empty() ? entry : wedge_entry));
     items.push_back({"asymmetry",
-                     "left out",
-                     "velocity across planes of symmetry over total",
+                     "mirrored",
+                     "normals of walls across planes of symmetry",
                      "-",
                      asymmetry,
                      0.,

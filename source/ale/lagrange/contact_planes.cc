@@ -6,9 +6,6 @@
 #include <contrecoup/base/parameters/parameter_tree.h>
 #include <contrecoup/base/parameters/parameters.h>
 #include <contrecoup/base/system/exceptions.h>
-#include <contrecoup/base/system/text.h>
-
-#include <deal.II/base/mpi.h>
 
 #include <algorithm>
 
@@ -91,30 +88,6 @@ void ContactPlanes::reinit(
   for (std::uint32_t node = 0; node < areas.size(); ++node)
     if (areas[node].norm() > 0.)
       surface_.push_back({node, areas[node].norm()});
-  for (const ContactPlane &plane : planes_)
-    require_outside(plane, position);
-}
-
-
-void ContactPlanes::require_outside(
-  const ContactPlane &plane,
-  const dealii::AlignedVector<double> &position) const
-{
-  double deepest = 0.;
-  for (std::uint32_t node = 0; node < space_->n_nodes(); ++node)
-    deepest = std::min(
-      deepest,
-      plane.normal * (vector_at(position, node) -
-                      static_cast<const dealii::Tensor<1, 3> &>(plane.point)));
-  deepest = dealii::Utilities::MPI::min(deepest, space_->communicator());
-  // Tolerates the round-off of a mesh that touches the plane.
-  constexpr double tolerance = 1e-9;
-  if (deepest < -tolerance)
-    throw InputError("Plane " + plane.name +
-                     ": it cuts the mesh at the start, which reaches " +
-                     brief(-deepest) +
-                     " m behind it; move Point, or turn Normal to the side of "
-                     "the matter");
 }
 
 

@@ -116,6 +116,11 @@ void MeshDescription::parse_parameters(ParameterHandler &prm)
     }
     if (!moves)
       position_.clear();
+    if (kind_ != "layered head" && kind_ != "file" &&
+        !trim(prm.get("Symmetry planes")).empty())
+      throw InputError("Mesh/Symmetry planes is for Mesh/Kind = layered head "
+                       "or file; the sides of a " +
+                       kind_ + " are walls unless a \"Side *\" says otherwise");
     if (kind_ == "layered head")
       head_.parse_parameters(prm);
     else if (read_wedge_axis(prm) < 3)
@@ -187,6 +192,23 @@ void MeshDescription::check_numbered_sides() const
 }
 
 
+void MeshDescription::check_symmetry_plane(const ParameterHandler &prm,
+                                           const std::string &name) const
+{
+  if (name.rfind("plane ", 0) != 0)
+    return;
+  if (kind_ == "body" || !symmetry_planes()[name.back() - 'x'])
+    throw InputError("Side " + name +
+                     " selects no side: Mesh/Symmetry planes does not name " +
+                     name.back());
+  if (prm.get("Kind") == "free" || prm.get("Velocity") != "0")
+    throw InputError("Side " + name +
+                     ": Mesh/Symmetry planes makes it a wall at rest; leave "
+                     "Kind and Velocity as they are, or take " +
+                     name.back() + " from Mesh/Symmetry planes");
+}
+
+
 void MeshDescription::parse_sides(ParameterHandler &prm)
 {
   const auto &names = side_names();
@@ -199,6 +221,7 @@ void MeshDescription::parse_sides(ParameterHandler &prm)
     if (id >= names.size())
       numbered_sides_.insert(std::stoul(name));
     const Section section(prm, "Side " + name);
+    check_symmetry_plane(prm, name);
     if (prm.get("Kind") == "free")
     {
       walls_.erase(id);

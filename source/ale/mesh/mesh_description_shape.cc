@@ -5,7 +5,6 @@
 #include <contrecoup/base/system/exceptions.h>
 
 #include <cmath>
-#include <limits>
 
 namespace contrecoup::ale
 {
@@ -75,15 +74,16 @@ std::array<dealii::Point<3>, 2> MeshDescription::corners() const
 }
 
 
-std::pair<double, double> MeshDescription::thinnest_layer() const
+std::vector<MeshDescription::Shell> MeshDescription::shells() const
 {
+  std::vector<Shell> result;
   const auto &axes = head_.semi_axes();
-  std::pair<double, double> thinnest(std::numeric_limits<double>::max(), 0.);
-  for (std::size_t i = 1; i < axes.size(); ++i)
-    thinnest = std::min(
-      thinnest,
-      {axes[i][0] - axes[i - 1][0], 0.5 * (axes[i][0] + axes[i - 1][0])});
-  return thinnest;
+  for (std::size_t i = 1; kind_ == "layered head" && i < axes.size(); ++i)
+    result.push_back({head_.layers()[i].name,
+                      axes[i][0] - axes[i - 1][0],
+                      0.5 * (axes[i][0] + axes[i - 1][0]),
+                      head_.cells_across()[i]});
+  return result;
 }
 
 

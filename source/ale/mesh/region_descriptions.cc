@@ -5,7 +5,9 @@
 #include <contrecoup/ale/mesh/region_descriptions.h>
 #include <contrecoup/base/parameters/parameter_tree.h>
 #include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/parameters/selections.h>
 #include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/log.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/numerics/element/hex8_moments.h>
 
@@ -57,6 +59,24 @@ namespace
         "0",
         "Initial velocity [m/s], a muParser expression of x, y, z.");
   }
+
+  /// Warns of entries that differ from their defaults without effect.
+  void warn_of_unused(const ParameterHandler &prm, const std::string &name)
+  {
+    ParameterHandler defaults;
+    declare_state(defaults);
+    declare_region_material(defaults);
+    const std::string material = prm.get("Material");
+    for (const std::string &entry : entries_without_effect(material))
+      if (const std::string value = prm.get(entry);
+          value != defaults.get(entry))
+        log_line("WARNING: Region " + name + "/" + entry + " = " + value +
+                 " has no effect on Material = " + material +
+                 (material == "tissue"
+                    ? ", whose constants are those of Tissue; use "
+                      "viscoelastic or elastic for others"
+                    : ""));
+  }
 } // namespace
 
 
@@ -76,8 +96,10 @@ void RegionDescriptions::parse_parameters(ParameterHandler &prm)
     const auto expression = [&](const std::string &entry) {
       return Expression("Region " + name + "/" + entry, prm.get(entry));
     };
-    descriptions_.push_back({parse_region_material(prm, name),
-                             trim(prm.get("Layer")),
+    Region region = parse_region_material(prm, name);
+    warn_of_unused(prm, name);
+    region.layer = trim(prm.get("Layer"));
+    descriptions_.push_back({std::move(region),
                              expression("Where"),
                              expression("Density"),
                              expression("Pressure"),
@@ -122,12 +144,12 @@ void RegionDescriptions::check_layers(const MeshLayers &layers) const
   for (const MeshLayer &layer : layers)
     known.push_back(layer.label());
   for (const Description &description : descriptions_)
-    if (!iequals(description.layer, "any") &&
+    if (!iequals(description.region.layer, "any") &&
         std::none_of(layers.begin(), layers.end(), [&](const MeshLayer &layer) {
-          return layer.is_called(description.layer);
+          return layer.is_called(description.region.layer);
         }))
       throw InputError("Region " + description.region.name +
-                       "/Layer: the mesh has no \"" + description.layer +
+                       "/Layer: the mesh has no \"" + description.region.layer +
                        "\", " +
                        (layers.empty() ? "because it is no layered head or "
                                          "file"
@@ -139,8 +161,8 @@ int RegionDescriptions::find_region(const dealii::Point<3> &place,
                                     const MeshLayer &layer) const
 {
   for (std::size_t i = descriptions_.size(); i-- > 0;)
-    if ((iequals(descriptions_[i].layer, "any") ||
-         layer.is_called(descriptions_[i].layer)) &&
+    if ((iequals(descriptions_[i].region.layer, "any") ||
+         layer.is_called(descriptions_[i].region.layer)) &&
         descriptions_[i].where.value(place) != 0.)
       return static_cast<int>(i);
   return -1;
@@ -191,7 +213,7 @@ void RegionDescriptions::set_regions(dealii::Triangulation<3> &mesh,
                                      const MeshLayers &layers) const
 {
   check_layers(layers);
-  std::vector<std::size_t> count(descriptions_.size(), 0);
+  std::vector<std::uint64_t> counts(descriptions_.size(), 0);
   for (const auto &cell : mesh.active_cell_iterators())
   {
     const auto centre = cell->center();
@@ -199,12 +221,28 @@ void RegionDescriptions::set_regions(dealii::Triangulation<3> &mesh,
       find(centre, layers.empty() ? MeshLayer() : layers[cell->material_id()]);
     const auto region = static_cast<std::size_t>(&found - descriptions_.data());
     cell->set_material_id(static_cast<dealii::types::material_id>(region));
-    ++count[region];
+    ++counts[region];
   }
-  for (std::size_t i = 0; i < count.size(); ++i)
-    if (count[i] == 0)
-      throw InputError("Region " + descriptions_[i].region.name +
-                       ": no cell has its centre there");
+  require_some(counts, "centre of a cell");
+}
+
+
+void RegionDescriptions::require_some(const std::vector<std::uint64_t> &counts,
+                                      const std::string &object) const
+{
+  Selections selections;
+  for (std::size_t i = 0; i < counts.size(); ++i)
+  {
+    const Description &one = descriptions_[i];
+    const bool is_layer = one.where.text() == "1";
+    selections.add("Region " + one.region.name +
+                     (is_layer ? "/Layer" : "/Where"),
+                   is_layer ? one.region.layer : one.where.text(),
+                   object,
+                   counts[i]);
+  }
+  selections.require_some(MPI_COMM_SELF,
+                          "where several regions are, the last one counts");
 }
 
 
@@ -312,6 +350,27 @@ dealii::Tensor<1, 3> RegionDescriptions::largest_components() const
       largest[d] =
         std::max(largest[d], std::abs(description.velocity[d].value({})));
   return largest;
+}
+
+
+bool RegionDescriptions::has_pressure() const
+{
+  return std::any_of(
+    descriptions_.begin(), descriptions_.end(), [](const Description &d) {
+      return !d.pressure.is_zero();
+    });
+}
+
+
+bool RegionDescriptions::velocity_depends_on_place() const
+{
+  return std::any_of(
+    descriptions_.begin(), descriptions_.end(), [](const Description &d) {
+      return std::any_of(
+        d.velocity.begin(), d.velocity.end(), [](const Expression &component) {
+          return component.depends_on_place();
+        });
+    });
 }
 
 

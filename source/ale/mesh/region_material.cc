@@ -8,6 +8,8 @@
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/materials/explosives.h>
 
+#include <algorithm>
+
 namespace contrecoup::ale
 {
 namespace
@@ -222,10 +224,11 @@ namespace
     return density.value({});
   }
 
+  /// Larger than in any liquid or solid: reveals default constants of air.
+  constexpr double largest_sound_speed = 2e4;
+
   Tait parse_tait(ParameterHandler &prm, const std::string &name)
   {
-    // Larger than in any liquid: reveals default constants of air.
-    constexpr double largest_sound_speed = 2e4;
     const std::string least = prm.get("Least pressure");
     const double density = read_density(prm, name),
                  modulus = read_double(prm, "Bulk modulus");
@@ -269,6 +272,12 @@ namespace
       material.relaxation_time = read_double(prm, "Relaxation time");
     }
     material.check("Region " + name);
+    if (material.dilatational_speed() > largest_sound_speed)
+      throw InputError("Region " + name + ": in a solid of Density = " +
+                       brief(material.density) + " kg/m^3 and these moduli " +
+                       "the sound speed would be " +
+                       brief(material.dilatational_speed()) +
+                       " m/s; set Density and moduli to those of the solid");
     return material;
   }
 
@@ -366,6 +375,48 @@ void declare_region_material(ParameterHandler &prm)
                     "Interface of a fluid with other regions. stick: shared "
                     "nodes; slip: frictionless sliding without separation. "
                     "Slipping regions stick to each other.");
+}
+
+
+std::vector<std::string> entries_without_effect(const std::string &material)
+{
+  using Names = std::vector<std::string>;
+  // Entries, and the materials that they describe.
+  static const std::vector<std::pair<Names, Names>> uses{
+    {{"Density"},
+     {"ideal gas",
+      "tait",
+      "jwl",
+      "jwl in air",
+      "elastic",
+      "viscoelastic",
+      "johnson-cook"}},
+    {{"Gamma"}, {"ideal gas", "jwl in air"}},
+    {{"Explosive"}, {"jwl", "jwl in air"}},
+    {{"Bulk modulus"}, {"tait", "viscoelastic"}},
+    {{"Exponent", "Least pressure"}, {"tait"}},
+    {{"Young modulus", "Poisson ratio"}, {"elastic", "johnson-cook"}},
+    {{"Shear modulus", "Long-term shear modulus", "Relaxation time"},
+     {"viscoelastic"}},
+    {{"Tissue", "Tissue set"}, {"tissue"}},
+    {{"Kinematics"}, {"elastic", "viscoelastic", "tissue"}},
+    {{"Yield stress",
+      "Hardening modulus",
+      "Hardening exponent",
+      "Rate coefficient",
+      "Reference rate",
+      "Softening exponent",
+      "Melting temperature",
+      "Reference temperature",
+      "Heat capacity",
+      "Heating part"},
+     {"johnson-cook"}}};
+  Names result;
+  for (const auto &[entries, described] : uses)
+    if (std::find(described.begin(), described.end(), material) ==
+        described.end())
+      result.insert(result.end(), entries.begin(), entries.end());
+  return result;
 }
 
 

@@ -5,6 +5,7 @@
 #include <contrecoup/base/parameters/parameter_tree.h>
 #include <contrecoup/base/parameters/parameters.h>
 #include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/log.h>
 #include <contrecoup/base/system/text.h>
 
 #include <algorithm>
@@ -16,6 +17,9 @@ namespace contrecoup::ale
 namespace
 {
   namespace column = mpm::column;
+
+  /// Farthest position without particles [m].
+  constexpr double none = -std::numeric_limits<double>::max();
 
   const std::vector<std::string> extent_axes{"x", "y", "z"};
 
@@ -33,6 +37,21 @@ namespace
            0.5 * std::cbrt(block[column::volume][p]) * std::sqrt(square);
   }
 } // namespace
+
+
+unsigned int find_material(const std::vector<mpm::ParticleMaterial> &materials,
+                           const std::string &entry,
+                           const std::string &name)
+{
+  std::vector<std::string> names;
+  for (const mpm::ParticleMaterial &material : materials)
+    names.push_back(material.name);
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end())
+    throw InputError(entry + ": there is no region \"" + name + "\"" +
+                     suggestion(name, names));
+  return static_cast<unsigned int>(found - names.begin());
+}
 
 
 void ParticleExtents::declare_parameters(ParameterHandler &prm)
@@ -86,25 +105,15 @@ void ParticleExtents::reinit(
   const std::vector<mpm::ParticleMaterial> &materials)
 {
   for (Extent &extent : extents_)
-  {
-    const auto found = std::find_if(
-      materials.begin(), materials.end(), [&](const auto &material) {
-        return material.name == extent.region;
-      });
-    if (found == materials.end())
-      throw InputError("Reference/Extent " + extent.name +
-                       "/Region: there is no region " + extent.region);
-    extent.material = static_cast<unsigned int>(found - materials.begin());
-  }
+    extent.material = find_material(
+      materials, "Reference/Extent " + extent.name + "/Region", extent.region);
 }
 
 
-std::vector<NamedValue>
-ParticleExtents::values(const mpm::Particles &particles,
-                        const MPI_Comm communicator) const
+std::vector<double> ParticleExtents::farthest(const mpm::Particles &particles,
+                                              const MPI_Comm communicator) const
 {
-  constexpr double none = -std::numeric_limits<double>::max();
-  std::vector<double> farthest(extents_.size(), none);
+  std::vector<double> result(extents_.size(), none);
   particles.for_each_block(
     [&](const unsigned int m, const mpm::ParticleBlock &block) {
       for (std::size_t i = 0; i < extents_.size(); ++i)
@@ -112,19 +121,27 @@ ParticleExtents::values(const mpm::Particles &particles,
         const Extent &extent = extents_[i];
         for (std::size_t p = 0; m == extent.material && p < block.size(); ++p)
           if (const double to = farthest_coordinate(block, p, extent.direction);
-              to > farthest[i] &&
+              to > result[i] &&
               extent.where.value({block[column::position][p],
                                   block[column::position + 1][p],
                                   block[column::position + 2][p]}) != 0.)
-            farthest[i] = to;
+            result[i] = to;
       }
     });
-  dealii::Utilities::MPI::max(farthest, communicator, farthest);
+  dealii::Utilities::MPI::max(result, communicator, result);
+  return result;
+}
+
+
+std::vector<NamedValue>
+ParticleExtents::values(const mpm::Particles &particles,
+                        const MPI_Comm communicator) const
+{
   std::vector<NamedValue> result;
+  const auto found = farthest(particles, communicator);
   for (std::size_t i = 0; i < extents_.size(); ++i)
-    result.push_back({"extent_" + extents_[i].name,
-                      "m",
-                      farthest[i] == none ? 0. : farthest[i]});
+    result.push_back(
+      {"extent_" + extents_[i].name, "m", found[i] == none ? 0. : found[i]});
   return result;
 }
 
@@ -133,10 +150,19 @@ std::vector<NamedValue>
 ParticleExtents::errors(const mpm::Particles &particles,
                         const MPI_Comm communicator) const
 {
-  auto result = values(particles, communicator);
+  std::vector<NamedValue> result;
+  const auto found = farthest(particles, communicator);
   for (std::size_t i = 0; i < extents_.size(); ++i)
-    result[i] = {
-      result[i].name, "-", std::abs(result[i].value / extents_[i].known - 1.)};
+  {
+    const Extent &extent = extents_[i];
+    if (found[i] == none)
+      log_line("WARNING: Reference/Extent " + extent.name + "/Where = \"" +
+               extent.where.text() + "\" selects no particle of region " +
+               extent.region + " at the end: its error is unknown");
+    else
+      result.push_back(
+        {"extent_" + extent.name, "-", std::abs(found[i] / extent.known - 1.)});
+  }
   return result;
 }
 } // namespace contrecoup::ale

@@ -5,6 +5,7 @@
 #include <contrecoup/ale/particles/particle_reference.h>
 #include <contrecoup/base/parameters/parameters.h>
 #include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/log.h>
 #include <contrecoup/base/system/text.h>
 
 #include <algorithm>
@@ -171,8 +172,26 @@ void ParticleReference::parse_parameters(ParameterHandler &prm)
     expressions_ = {parse_expressions(prm, path, with_axes("Displacement")),
                     parse_expressions(prm, path, with_axes("Velocity")),
                     parse_expressions(prm, path, {"Pressure"})};
+    if (expressions_->displacement.empty() && expressions_->velocity.empty() &&
+        expressions_->pressure.empty())
+      throw InputError("Reference/Kind = expressions: " + path +
+                       " has none; give one of its entries");
   }
   flow_ = Reference::parse_flow(prm);
+}
+
+
+void ParticleReference::check_times(const double end_time) const
+{
+  if (!front_ || front_->times.back() <= end_time)
+    return;
+  const auto &times = front_->times;
+  const auto n =
+    std::upper_bound(times.begin(), times.end(), end_time) - times.begin();
+  log_line("WARNING: Reference/Front/Times goes on to " + brief(times.back()) +
+           " s, after Time/End time = " + brief(end_time) +
+           " s: " + std::to_string(n) + " of " + std::to_string(times.size()) +
+           " positions are compared");
 }
 
 
@@ -186,14 +205,8 @@ void ParticleReference::reinit(
     displacements_->reinit(probes);
   if (!front_)
     return;
-  const auto found =
-    std::find_if(materials.begin(), materials.end(), [&](const auto &material) {
-      return material.name == front_->region;
-    });
-  if (found == materials.end())
-    throw InputError("Reference/Front/Region: there is no region " +
-                     front_->region);
-  front_->material = static_cast<unsigned int>(found - materials.begin());
+  front_->material =
+    find_material(materials, "Reference/Front/Region", front_->region);
   front_->half_spacing = half_spacing;
 }
 

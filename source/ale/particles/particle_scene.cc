@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/ale/particles/particle_extents.h>
 #include <contrecoup/ale/particles/particle_scene.h>
 #include <contrecoup/base/parameters/parameters.h>
 #include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/log.h>
 #include <contrecoup/base/system/text.h>
 
 #include <cmath>
@@ -212,8 +214,18 @@ void ParticleScene::make_materials(const RegionDescriptions &regions)
   const auto all = regions.regions();
   const bool slips = std::any_of(
     all.begin(), all.end(), [](const Region &region) { return region.slides; });
+  if (fields_ == "one" && slips)
+    throw InputError("MPM/Fields = one makes all regions stick, but a region "
+                     "has Interface = slip; change one of them");
   if (fields_ == field_kinds[0])
     fields_ = slips ? "slip" : "one";
+  if (fields_ != "one" && all.size() < 2)
+    throw InputError("MPM/Fields = " + fields_ +
+                     " selects no interface: there is a single region");
+  if (friction_ > 0. && fields_ == "one")
+    throw InputError("MPM/Friction = " + brief(friction_) +
+                     " acts between the fields of regions; it needs "
+                     "MPM/Fields = slip or contact");
   for (const Region &region : all)
   {
     mpm::ParticleMaterial material;
@@ -251,7 +263,14 @@ void ParticleScene::make_source(const MeshDescription &mesh,
   std::vector<int> of_layer;
   if (!regions.depends_on_place())
     for (const MeshLayer &layer : layers)
+    {
       of_layer.push_back(regions.find_region({}, layer));
+      const std::string words = "the layer \"" + layer.label() + "\" of the ";
+      if (of_layer.back() < 0 && mesh.head() != nullptr)
+        throw InputError("Region: " + words + "head is in none");
+      if (of_layer.back() < 0 && mesh.has_layers())
+        log_line("WARNING: Region: " + words + "body is in none; it is empty");
+    }
   source_.material_at =
     [mesh, regions, layers, of_layer](const dealii::Point<3> &place) {
       const int layer = mesh.layer_at(place);
@@ -278,18 +297,9 @@ void ParticleScene::halve_cells()
 {
   box_.halving = mpm::Halving();
   box_.halving.degree = scheme_.degree;
-  std::vector<std::string> names;
-  for (const mpm::ParticleMaterial &material : materials_)
-    names.push_back(material.name);
-  std::vector<bool> is_fine(names.size(), false);
+  std::vector<bool> is_fine(materials_.size(), false);
   for (const std::string &name : fine_regions_)
-  {
-    const auto found = std::find(names.begin(), names.end(), name);
-    if (found == names.end())
-      throw InputError("MPM/Fine regions: there is no region \"" + name + "\"" +
-                       suggestion(name, names));
-    is_fine[found - names.begin()] = true;
-  }
+    is_fine[find_material(materials_, "MPM/Fine regions", name)] = true;
   if (fine_regions_.empty())
     return;
   // Samples each halved cell once along each direction.
@@ -358,27 +368,6 @@ void ParticleScene::reinit(const MeshDescription &mesh,
     walls_.push_back({plane.name, plane.point, plane.normal, plane.friction});
   if (const double radius = mesh.sphere_radius(); radius > 0.)
     walls_.push_back({"sphere", {}, {}, 0., radius, true});
-}
-
-
-double ParticleScene::n_particles() const
-{
-  // Sample a coarse lattice over the box.
-  constexpr unsigned int n = 24;
-  double count = 0.;
-  for (unsigned int i = 0; i < n * n * n; ++i)
-  {
-    const unsigned int at[] = {i % n, i / n % n, i / (n * n)};
-    dealii::Point<3> place = box_.lower;
-    for (unsigned int d = 0; d < 3; ++d)
-      place[d] += (at[d] + 0.5) / n * box_.n_cells[d] * box_.cell_size;
-    if (source_.material_at(place) != mpm::ParticleSource::none)
-      count += std::pow(cell_size_ / cell_size_at(place), 3);
-  }
-  double particles = count / (n * n * n);
-  for (unsigned int d = 0; d < 3; ++d)
-    particles *= 1. * box_.n_cells[d] * source_.per_cell[d];
-  return particles;
 }
 
 

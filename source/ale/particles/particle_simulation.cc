@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/ale/exact/reference.h>
+#include <contrecoup/ale/head/head_answer.h>
 #include <contrecoup/ale/mesh/whole_body.h>
 #include <contrecoup/ale/particles/particle_measures.h>
 #include <contrecoup/ale/particles/particle_simulation.h>
 #include <contrecoup/base/parameters/parameters.h>
 #include <contrecoup/base/system/exceptions.h>
-#include <contrecoup/base/system/text.h>
+#include <contrecoup/base/system/log.h>
 #include <contrecoup/base/system/timers.h>
 #include <contrecoup/mpm/particle_output.h>
 #include <contrecoup/mpm/resampling.h>
@@ -22,13 +24,6 @@ namespace
 {
   namespace column = mpm::column;
   namespace mpi = dealii::Utilities::MPI;
-
-  /// Particle updates per second and core, for estimates only: measured on the
-  /// quickstart's head with a processor of 2021.
-  constexpr double typical_speed = 1e6;
-
-  /// Memory per particle with its part of the grid [bytes].
-  constexpr double typical_memory = 1200.;
 
   dealii::Point<3> place_of(const mpm::ParticleBlock &block,
                             const std::size_t particle)
@@ -50,6 +45,8 @@ void ParticleSimulation::parse_parameters(ParameterHandler &prm)
   planes_.parse_parameters(prm);
   scene_.parse_parameters(prm);
   reference_.parse_parameters(prm);
+  head_.parse_parameters(prm);
+  refuse_entries_of_meshes(prm);
   {
     const Section section(prm, "Body force");
     for (unsigned int d = 0; d < 3; ++d)
@@ -67,30 +64,28 @@ void ParticleSimulation::parse_parameters(ParameterHandler &prm)
     const Section section(prm, "Probes");
     probe_places_ = read_points<3>(prm, "Points");
   }
+  Reference::check_probes(prm, probe_places_.size());
   {
     const Section section(prm, "Time");
     end_time_ = read_double(prm, "End time");
   }
+  reference_.check_times(end_time_);
   scene_.reinit(mesh_, regions_, planes_, end_time_);
 }
 
 
-CostEstimate ParticleSimulation::estimate()
+void ParticleSimulation::refuse_entries_of_meshes(ParameterHandler &prm)
 {
-  CostEstimate cost;
-  cost.cells = scene_.n_particles();
-  cost.unknowns = 6. * cost.cells;
-  cost.memory = typical_memory * cost.cells;
-  double speed = 0.;
-  for (unsigned int m = 0; m < scene_.materials().size(); ++m)
-    speed =
-      std::max(speed, std::sqrt(regions_.matter_at({}, m).sound_speed_squared));
-  speed += regions_.fastest_velocity().norm();
-  cost.steps =
-    std::ceil(end_time_ * speed / (courant_ * scene_.smallest_cell_size()));
-  cost.seconds = cost.steps * cost.cells / typical_speed /
-                 mpi::n_mpi_processes(communicator_);
-  return cost;
+  for (const auto &[path, usual] :
+       {std::pair<std::vector<std::string>, std::string>(
+          {"Heat source", "Power"}, "0"),
+        {{"Coupling", "Scheme"}, "monolithic"}})
+  {
+    const Section section(prm, path[0]);
+    if (const std::string value = prm.get(path[1]); value != usual)
+      throw InputError(path[0] + "/" + path[1] + " = " + value +
+                       " needs Method = ale");
+  }
 }
 
 
@@ -119,12 +114,6 @@ void ParticleSimulation::find_probes()
             std::min(nearest, place_of(one, p).distance(probe_places_[i]));
     });
     const double all = mpi::min(nearest, communicator_);
-    if (!(all < 2. * scene_.cell_size()))
-      throw InputError(
-        "Probes/Points: (" + brief(probe_places_[i][0]) + ", " +
-        brief(probe_places_[i][1]) + ", " + brief(probe_places_[i][2]) +
-        ") m is outside of the matter; the nearest particle is " + brief(all) +
-        " m away");
     // Among equally near particles, one of the lowest rank counts.
     const unsigned int me = mpi::this_mpi_process(communicator_);
     const bool is_near = nearest <= all * (1. + 1e-12);
@@ -160,15 +149,19 @@ void ParticleSimulation::setup()
       counts[m] += one.size();
     });
   mpi::sum(counts, communicator_, counts);
-  for (std::size_t m = 0; m < counts.size(); ++m)
-    if (counts[m] == 0)
-      throw InputError("Region " + scene_.materials()[m].name +
-                       ": no particle is there");
+  regions_.require_some(counts, "particle");
   least_pressures_.assign(scene_.materials().size(), 0.);
   step_->start(grid_, particles_);
   const auto totals = step_->totals(grid_, particles_);
   initial_energy_ = totals.kinetic_energy + totals.internal_energy;
   energy_scale_ = std::max(totals.kinetic_energy, totals.stored_energy);
+  if (!planes_.empty())
+    contact_record_.start(planes_.planes().front(),
+                          totals.momentum,
+                          totals.mass,
+                          mesh_.symmetry_planes());
+  head_.reinit(particles_, communicator_);
+  head_.follow(scene_.materials(), time_, communicator_, particles_);
 }
 
 
@@ -190,6 +183,7 @@ StepReport ParticleSimulation::advance(const double largest_step)
   report.updates = static_cast<double>(n_particles_);
   record_contact(report.step_size);
   reference_.follow(scene_.materials(), particles_, time_, communicator_);
+  head_.follow(scene_.materials(), time_, communicator_, particles_);
   return report;
 }
 
@@ -371,7 +365,19 @@ std::vector<NamedValue> ParticleSimulation::results()
     if (value.name.find("area") == std::string::npos)
       values.push_back({"region_" + value.name, value.unit, value.value});
   set_to_whole(values, mesh_.computed_fraction(), mesh_.symmetry_planes());
+  for (const NamedValue &value : head_.coup(communicator_))
+    values.push_back(value);
+  for (const solid::InjuryMeasure &measure : head_.measures(communicator_))
+    values.push_back(measure.value);
   return values;
+}
+
+
+void ParticleSimulation::finish(const std::string &folder)
+{
+  head_.write(folder, communicator_);
+  for (const std::string &line : answer_lines(results(), !planes_.empty()))
+    show_line(line);
 }
 
 
@@ -379,71 +385,14 @@ std::vector<NamedValue> ParticleSimulation::checks()
 {
   const EnergyLedger now = ledger();
   const double scale = std::max(energy_scale_, 1e-300);
-  return {{"energy_residual", "-", now.residual / scale},
-          {"transfer_loss", "-", now.transfer_loss / scale},
-          {"contact_loss", "-", now.contact_loss / scale},
-          {"split_particles", "-", static_cast<double>(n_split_)},
-          {"merged_particles", "-", static_cast<double>(n_merged_)}};
-}
-
-
-ImpactPlan ParticleSimulation::impact_plan() const
-{
-  ImpactPlan plan;
-  plan.regions = regions_.regions();
-  plan.planes = planes_.planes();
-  plan.head = estimate_head(mesh_, regions_, planes_);
-  plan.end_time = end_time_;
-  plan.velocity = regions_.fastest_velocity();
-  plan.cell_size = scene_.cell_size();
-  plan.computed_fraction = plan.cost = plan.least_cost =
-    mesh_.computed_fraction();
-  for (const Expression &component : acceleration_)
-    plan.has_body_force = plan.has_body_force || !component.is_zero();
-  return plan;
-}
-
-
-Assumption ParticleSimulation::layer_resolution() const
-{
-  // Slip between fields needs two cells; one field needs more, because spline
-  // supports overlap.
-  constexpr double least_of_one_field = 4., least_of_several = 2.;
-  const bool is_one = scene_.field_contact().n_fields() < 2;
-  const auto [thickness, middle] = mesh_.thinnest_layer();
-  return {"layers",
-          is_one ? "one velocity for all" : "a velocity for each region",
-          "cells of the grid across the thinnest layer",
-          "-",
-          thickness / scene_.cell_size_at({middle, 0., 0.}),
-          is_one ? least_of_one_field : least_of_several,
-          true,
-          "MPM/Cell size"};
-}
-
-
-std::vector<Assumption> ParticleSimulation::plan()
-{
-  std::vector<Assumption> items = impact_plan().plan();
-  if (mesh_.head() != nullptr)
-    items.push_back(layer_resolution());
-  return items;
-}
-
-
-std::vector<Assumption> ParticleSimulation::audit()
-{
-  const double kinetic = initial_energy_;
-  std::vector<Assumption> items =
-    impact_plan().audit({least_pressures_,
-                         contact_record_.end,
-                         contact_now_.friction_work,
-                         contact_now_.sliding_work,
-                         kinetic,
-                         0.,
-                         energy_scale_});
-  if (mesh_.head() != nullptr)
-    items.push_back(layer_resolution());
-  return items;
+  std::vector<NamedValue> values{
+    {"energy_residual", "-", now.residual / scale},
+    {"transfer_loss", "-", now.transfer_loss / scale},
+    {"contact_loss", "-", now.contact_loss / scale},
+    {"split_particles", "-", static_cast<double>(n_split_)},
+    {"merged_particles", "-", static_cast<double>(n_merged_)}};
+  for (const NamedValue &value : cells_across())
+    values.push_back(value);
+  return values;
 }
 } // namespace contrecoup::ale

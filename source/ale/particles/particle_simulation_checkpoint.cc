@@ -87,6 +87,7 @@ void ParticleSimulation::save(const std::string &folder)
         io::put_list(out, states);
       }
   });
+  head_.save(folder, communicator_);
 }
 
 
@@ -161,5 +162,8 @@ void ParticleSimulation::restore(const std::string &folder)
                      std::to_string(n_particles_) + " are there");
   particles_.sort(grid_);
   step_->resume(grid_, particles_);
+  head_.restore(folder, communicator_);
+  head_.reinit(particles_, communicator_);
+  head_.resume(particles_);
 }
 } // namespace contrecoup::ale

@@ -114,6 +114,26 @@ void Rezone::check_interval(const double step) const
 }
 
 
+void Rezone::check_regions(const std::vector<Region> &regions) const
+{
+  for (const Region &region : regions)
+    if (region.slides && kind_ != RezoneKind::elastic)
+      throw InputError("Region " + region.name +
+                       "/Interface = slip needs Rezone/Kind = elastic, which "
+                       "moves sliding nodes back to those of the other side");
+  if (kind_ == RezoneKind::back && regions.size() > 1)
+    throw InputError("Rezone/Kind = back needs a single region, because a "
+                     "cell holds one material; let Density and Pressure "
+                     "depend on x, y, z, or use elastic");
+  if (kind_ != RezoneKind::none &&
+      std::all_of(regions.begin(), regions.end(), [](const Region &region) {
+        return region.solid() != nullptr;
+      }))
+    throw InputError("Rezone/Kind must be none if all regions are solids, "
+                     "whose mesh moves with the matter");
+}
+
+
 void Rezone::reinit(
   HexSpace &space,
   const AleState &state,
@@ -123,25 +143,12 @@ void Rezone::reinit(
   space_ = &space;
   is_solid_.clear();
   for (const Region &region : regions)
-  {
     is_solid_.push_back(region.solid() != nullptr);
-    if (region.slides && kind_ != RezoneKind::elastic)
-      throw InputError("Region " + region.name +
-                       "/Interface = slip needs Rezone/Kind = elastic, which "
-                       "moves sliding nodes back to those of the other side");
-  }
   start_ = state.position;
   reference_ = state.position;
   due_ = state.time + interval_;
-  if (kind_ == RezoneKind::back && has_interfaces())
-    throw InputError("Rezone/Kind = back needs a single region, because a "
-                     "cell holds one material; let Density and Pressure "
-                     "depend on x, y, z, or use elastic");
   if (kind_ == RezoneKind::none)
     return;
-  if (std::find(is_solid_.begin(), is_solid_.end(), false) == is_solid_.end())
-    throw InputError("Rezone/Kind must be none if all regions are solids, "
-                     "whose mesh moves with the matter");
   remap_.reinit(space, is_solid_, limiter_);
   if (kind_ != RezoneKind::elastic)
     return;
@@ -169,16 +176,6 @@ void Rezone::resume(const AleState &state,
   due_ = interval_;
   while (interval_ > 0. && due_ <= state.time * (1. + 1e-12))
     due_ += interval_;
-}
-
-
-bool Rezone::has_interfaces() const
-{
-  int has = 0;
-  for (std::size_t c = 1; c < space_->n_cells(); ++c)
-    if (space_->region(c) != space_->region(0))
-      has = 1;
-  return dealii::Utilities::MPI::max(has, space_->communicator()) == 1;
 }
 
 

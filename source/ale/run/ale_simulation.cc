@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/ale/head/head_answer.h>
 #include <contrecoup/ale/lagrange/region_measures.h>
 #include <contrecoup/ale/mesh/whole_body.h>
 #include <contrecoup/ale/run/ale_output.h>
 #include <contrecoup/ale/run/ale_simulation.h>
 #include <contrecoup/base/parameters/parameters.h>
 #include <contrecoup/base/system/exceptions.h>
-#include <contrecoup/base/system/memory.h>
-#include <contrecoup/base/system/text.h>
+#include <contrecoup/base/system/log.h>
 #include <contrecoup/base/system/timers.h>
-#include <contrecoup/io/file/checked_file.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -19,13 +18,6 @@ namespace contrecoup::ale
 namespace
 {
   constexpr unsigned int width = AleState::width;
-
-  /// Cell updates per second and core, for estimates only: measured on the
-  /// quickstart's head with a processor of 2021.
-  constexpr double typical_speed = 2.5e6;
-
-  /// Memory per cell with its nodes and the data of the remap [bytes].
-  constexpr double typical_memory = 2500.;
 } // namespace
 
 
@@ -122,38 +114,9 @@ void AleSimulation::parse_parameters(ParameterHandler &prm)
     const Section section(prm, "Probes");
     probe_places_ = read_points<3>(prm, "Points");
   }
+  Reference::check_probes(prm, probe_places_.size());
   const Section section(prm, "Time");
   end_time_ = read_double(prm, "End time");
-}
-
-
-CostEstimate AleSimulation::estimate()
-{
-  CostEstimate cost;
-  cost.cells = mesh_description_.n_cells();
-  cost.unknowns = 5. * cost.cells;
-  cost.memory = typical_memory * cost.cells;
-  // The run loop refuses a mesh this large, so do not build it.
-  const double available = available_memory(communicator_);
-  if (available > 0. && cost.memory > available)
-    return cost;
-  dealii::Triangulation<3> mesh;
-  mesh_description_.create(mesh);
-  regions_.set_regions(mesh, mesh_description_.layers());
-  if (coupling_.active() && mesh_description_.wedge().active())
-    throw InputError("Mesh/Wedge axis: the nodal masses of a wedge do not suit "
-                     "Coupling/Scheme = " +
-                     coupling_.name() + "; use monolithic");
-  coupling_.require_interface(mesh, regions_.regions());
-  // Cold gas at rest moves at the speed of a wall.
-  const double speed = regions_.largest_speed(mesh) +
-                       mesh_description_.largest_wall_speed(end_time_);
-  cost.steps =
-    std::ceil(end_time_ * speed / (courant_ * mesh_description_.cell_size()));
-  rezone_.check_interval(end_time_ / cost.steps);
-  cost.seconds = cost.steps * cost.cells / typical_speed /
-                 dealii::Utilities::MPI::n_mpi_processes(communicator_);
-  return cost;
 }
 
 
@@ -167,13 +130,6 @@ void AleSimulation::build()
   for (const Region &region : regions_.regions())
     slides.push_back(region.slides);
   space_.reinit(mesh, communicator_, slides);
-  const bool has_pairs =
-    dealii::Utilities::MPI::max(space_.sliding_pairs().empty() ? 0 : 1,
-                                communicator_) == 1;
-  for (const Region &region : regions_.regions())
-    if (region.slides && !has_pairs)
-      throw InputError("Region " + region.name +
-                       "/Interface = slip: it meets no region that sticks");
   n_cells_ = mesh.n_active_cells();
   n_nodes_ = space_.nodes().size();
   lagrange_.reinit(
@@ -195,7 +151,7 @@ void AleSimulation::build()
   regions_.fill(space_, state_);
   least_pressures_.assign(regions_.regions().size(), 0.);
   rezone_.reinit(space_, state_, regions_.regions(), mesh_description_.walls());
-  head_.reinit(space_, lagrange_, state_, regions_.regions());
+  head_.reinit(space_, lagrange_, state_);
   find_probe_cells();
 }
 
@@ -209,35 +165,11 @@ void AleSimulation::setup()
   initial_energy_ = totals.internal_energy + totals.kinetic_energy;
   initial_kinetic_energy_ = totals.kinetic_energy;
   energy_scale_ = initial_energy_;
-}
-
-
-void AleSimulation::require_probe_inside(const std::size_t probe,
-                                         const double distance,
-                                         const std::uint32_t cell) const
-{
-  // Use the largest of the cells that ranks have found.
-  double diagonal = 0.;
-  if (cell != HexSpace::no_cell)
-    for (unsigned int i = 0; i < 4; ++i)
-    {
-      constexpr unsigned int opposite[] = {6, 7, 4, 5};
-      double square = 0.;
-      for (unsigned int d = 0; d < 3; ++d)
-        square += std::pow(
-          state_.position[width * space_.cell(cell)[i] + d] -
-            state_.position[width * space_.cell(cell)[opposite[i]] + d],
-          2);
-      diagonal = std::max(diagonal, std::sqrt(square));
-    }
-  diagonal = dealii::Utilities::MPI::max(diagonal, communicator_);
-  const auto &place = probe_places_[probe];
-  if (distance > 0.6 * diagonal)
-    throw InputError("Probes/Points: (" + brief(place[0]) + ", " +
-                     brief(place[1]) + ", " + brief(place[2]) +
-                     ") m is outside of the mesh; the centre of the nearest "
-                     "cell is " +
-                     brief(distance) + " m away");
+  if (!planes_.empty())
+    contact_.start(planes_.planes().front(),
+                   totals.momentum,
+                   totals.mass,
+                   mesh_description_.symmetry_planes());
 }
 
 
@@ -263,7 +195,6 @@ void AleSimulation::find_probe_cells()
     }
     // Among equally near cells, the smallest cell number counts.
     const double all = dealii::Utilities::MPI::min(nearest, communicator_);
-    require_probe_inside(i, all, cell);
     const bool is_here = nearest <= all * (1. + 1e-12);
     const unsigned int number =
       is_here ? space_.cell_number(cell) : HexSpace::no_cell;
@@ -430,6 +361,8 @@ std::vector<NamedValue> AleSimulation::results()
                  mesh_description_.computed_fraction(),
                  mesh_description_.symmetry_planes());
   }
+  for (const NamedValue &value : head_.coup(communicator_))
+    values.push_back(value);
   for (const solid::InjuryMeasure &measure : head_.measures(communicator_))
     values.push_back(measure.value);
   return values;
@@ -446,18 +379,17 @@ std::vector<NamedValue> AleSimulation::checks()
     {"rezones_left_out", "-", static_cast<double>(rezone_.n_skipped())}};
   for (NamedValue &value : lagrange_.coupling().summary(scale))
     values.push_back(std::move(value));
+  for (const MeshDescription::Shell &shell : mesh_description_.shells())
+    values.push_back({"cells_across_" + shell.name, "-", double(shell.cells)});
   return values;
 }
 
 
 void AleSimulation::finish(const std::string &folder)
 {
-  if (!head_.active())
-    return;
-  const auto measures = head_.measures(communicator_);
-  if (dealii::Utilities::MPI::this_mpi_process(communicator_) == 0)
-    io::write_file(folder + "/injury.csv",
-                   [&](std::ostream &out) { out << solid::to_csv(measures); });
+  head_.write(folder, communicator_);
+  for (const std::string &line : answer_lines(results(), !planes_.empty()))
+    show_line(line);
 }
 
 

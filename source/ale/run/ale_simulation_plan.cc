@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/ale/head/scene_check.h>
 #include <contrecoup/ale/run/ale_simulation.h>
 
 #include <algorithm>
@@ -35,6 +36,13 @@ ImpactPlan AleSimulation::impact_plan() const
 void AleSimulation::find_symmetry(ImpactPlan &plan) const
 {
   plan.cost = plan.least_cost = plan.computed_fraction;
+  std::array<double, 3> motion{};
+  for (unsigned int d = 0; d < 3; ++d)
+  {
+    motion[d] = SceneCheck::motion_along(d, regions_, planes_, acceleration_);
+    if (is_on_symmetry_plane(d + 1))
+      plan.asymmetry = std::max(plan.asymmetry, motion[d]);
+  }
   const LayeredHead *head = mesh_description_.head();
   if (head == nullptr)
     return;
@@ -42,21 +50,11 @@ void AleSimulation::find_symmetry(ImpactPlan &plan) const
   plan.cost = plan.least_cost = head->n_cells() / whole;
   if (head->wedge().active())
     plan.wedge = std::string(1, "xyz"[head->wedge().axis]);
-  const auto components = regions_.largest_components();
   std::array<bool, 3> would_do{};
   for (unsigned int d = 0; d < 3; ++d)
   {
-    // Velocity across a symmetry plane normal to this axis.
-    double motion =
-      components[d] > 0. ? components[d] / plan.velocity.norm() : 0.;
-    for (const ContactPlane &plane : plan.planes)
-      motion = std::max(motion, std::abs(plane.normal[d]));
-    if (!acceleration_[d].is_zero())
-      motion = 1.;
-    would_do[d] = motion == 0. && !regions_.depends_on_place();
-    if (head->is_halved()[d])
-      plan.asymmetry = std::max(plan.asymmetry, motion);
-    else if (would_do[d])
+    would_do[d] = motion[d] == 0. && !regions_.depends_on_place();
+    if (!head->is_halved()[d] && would_do[d])
       plan.least_cost *= 0.5;
   }
   const auto &brain = head->semi_axes().front();

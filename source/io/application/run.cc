@@ -109,6 +109,13 @@ namespace io
     log_line("  output    " +
              (cost.output > 0. ? "about " + bytes(cost.output) + " in " : "") +
              folder_.path());
+    // A scene has a plan of its own.
+    if (!description_.on_cost_estimate)
+    {
+      collective_.run([&]() { plan_ = simulation_.plan(); });
+      for (const std::string &line : plan_lines(plan_))
+        log_line(line);
+    }
     log_line("The parameters are valid.");
   }
 

@@ -32,6 +32,10 @@ public:
                                  const LagrangeStep &lagrange,
                                  const AleState &state) const;
 
+  /// @throws InputError for a kind that compares at probes without these
+  static void check_probes(dealii::ParameterHandler &prm,
+                           const std::size_t n_probes);
+
   /// The flow of Reference/Kind, or null if the kind is no flow. @throws
   /// InputError
   static std::unique_ptr<ExactFlow> parse_flow(dealii::ParameterHandler &prm);

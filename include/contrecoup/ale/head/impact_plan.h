@@ -25,7 +25,8 @@ namespace contrecoup::ale
  *                     without friction, for a coefficient of 0.3
  *   scalp             mass of 5 mm of scalp over that of a head without scalp
  *   symmetry          cost that symmetry planes or a wedge save
- *   asymmetry         motion across symmetry planes, which they suppress
+ *   asymmetry         walls that are inclined to symmetry planes, beyond which
+ *                     there are their mirror images
  *   unused_symmetry   cost that further symmetry planes would save
  *   coupling          spurious energy of a partitioned fluid-solid coupling
  *   mesh              of a file: smallest scaled Jacobian
@@ -45,7 +46,7 @@ struct ImpactPlan
   std::string wedge;             ///< axis of the computed wedge; empty: none
   double least_cost = 1.; ///< cost with all symmetry of the scene used [-]
   std::string least_cost_wedge; ///< axis of a wedge for that cost; empty: none
-  double asymmetry = 0.;        ///< motion across symmetry planes, relative [-]
+  double asymmetry = 0.;        ///< see SceneCheck::motion_along() [-]
   /// Of a mesh file; 0: other mesh.
   unsigned int n_pieces = 0;
   double scaled_jacobian = 1.; ///< the smallest

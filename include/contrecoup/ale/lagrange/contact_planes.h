@@ -68,7 +68,6 @@ public:
    * Finds the nodes of free surfaces. Collective.
    * @param position of the nodes, AleState::width numbers each [m]
    * @param is_free whether a boundary id is a free surface
-   * @throws InputError for a plane that cuts the mesh at the start
    */
   void reinit(const HexSpace &space,
               const dealii::AlignedVector<double> &position,
@@ -89,9 +88,6 @@ public:
                            const double step) const;
 
 private:
-  void require_outside(const ContactPlane &plane,
-                       const dealii::AlignedVector<double> &position) const;
-
   /// A node of a free surface.
   struct SurfaceNode
   {

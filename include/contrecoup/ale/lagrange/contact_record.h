@@ -6,9 +6,14 @@
 #include <contrecoup/ale/lagrange/contact_planes.h>
 #include <contrecoup/base/run/simulation.h>
 
+#include <algorithm>
+#include <array>
+#include <vector>
+
 namespace contrecoup::ale
 {
-/// Course of the contact with planes. Plain data, written to checkpoints.
+/// Motion towards planes and course of the contact with them. Plain data,
+/// written to checkpoints.
 struct ContactRecord
 {
   double begin = -1.;     ///< first time with a force; negative: none yet [s]
@@ -17,6 +22,23 @@ struct ContactRecord
   double peak_time = 0.;  ///< of that force [s]
   double peak_area = 0.;  ///< [m^2]
   double impulse = 0.;    ///< integral of the force [N s]
+  double speed = -1.;     ///< mean of all matter at the start; negative: unset
+  double normal_speed = 0.; ///< towards the first plane [m/s]
+
+  /// Takes the motion at the start, of @p momentum and @p mass.
+  /// @param is_mirrored by axis, along which the whole body does not move
+  template <typename Vector>
+  void start(const ContactPlane &plane,
+             const Vector &momentum,
+             const double mass,
+             const std::array<bool, 3> &is_mirrored)
+  {
+    dealii::Tensor<1, 3> velocity;
+    for (unsigned int d = 0; d < 3; ++d)
+      velocity[d] = is_mirrored[d] ? 0. : momentum[d] / mass;
+    speed = velocity.norm();
+    normal_speed = 0. - velocity * plane.normal;
+  }
 
   /// Adds a step of size @p step that ended at @p time [s].
   void add(const ContactMeasures &contact, const double time, const double step)
@@ -35,17 +57,23 @@ struct ContactRecord
     }
   }
 
-  /// Values for the summary; empty without contact.
+  /// Values for the summary: the motion at the start, and the contact if there
+  /// was any.
   std::vector<NamedValue> values() const
   {
-    if (begin < 0.)
-      return {};
-    return {{"contact_begin", "s", begin},
-            {"contact_end", "s", end},
-            {"contact_impulse", "N s", impulse},
-            {"peak_contact_force", "N", peak_force},
-            {"peak_contact_force_time", "s", peak_time},
-            {"peak_contact_area", "m^2", peak_area}};
+    std::vector<NamedValue> list;
+    if (speed >= 0.)
+      list = {{"impact_speed", "m/s", speed},
+              {"normal_impact_speed", "m/s", normal_speed}};
+    if (begin >= 0.)
+      list.insert(list.end(),
+                  {{"contact_begin", "s", begin},
+                   {"contact_end", "s", end},
+                   {"contact_impulse", "N s", impulse},
+                   {"peak_contact_force", "N", peak_force},
+                   {"peak_contact_force_time", "s", peak_time},
+                   {"peak_contact_area", "m^2", peak_area}});
+    return list;
   }
 };
 } // namespace contrecoup::ale

@@ -39,8 +39,7 @@ public:
   /// @param regions by material id of the mesh
   /// @param walls slip walls by boundary id; other boundaries are free
   /// surfaces
-  /// @throws InputError for a plane that cuts the mesh, or for a partitioned
-  /// coupling without interface
+  /// @throws InputError for a partitioned coupling without interface
   void
   reinit(const HexSpace &space,
          const std::vector<Region> &regions,

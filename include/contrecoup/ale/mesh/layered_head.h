@@ -54,6 +54,12 @@ public:
     return ball_.semi_axes;
   }
 
+  /// Number of cells across each layer, from the inside outwards.
+  const std::vector<unsigned int> &cells_across() const
+  {
+    return ball_.cells_across;
+  }
+
   /// Whether a symmetry plane is normal to each axis.
   const std::array<bool, 3> &is_halved() const
   {

@@ -103,9 +103,16 @@ public:
   /// Whether each of these sides clamps the matter.
   std::array<bool, 6> clamped_sides() const;
 
-  /// Thickness of the thinnest layer around the brain of a layered head, and
-  /// distance of the layer's middle from the centre along x [m].
-  std::pair<double, double> thinnest_layer() const;
+  /// A layer around the brain of a layered head.
+  struct Shell
+  {
+    std::string name;
+    double thickness;   ///< [m]
+    double middle;      ///< distance from the centre along x [m]
+    unsigned int cells; ///< across the layer, of the mesh
+  };
+  /// The layers around the brain; empty for other kinds of mesh.
+  std::vector<Shell> shells() const;
 
   /// Radius of the rigid sphere around a half ball; 0: none [m].
   double sphere_radius() const
@@ -136,6 +143,10 @@ private:
   /// @throws InputError for a numbered side that the file does not have
   void check_numbered_sides() const;
   void parse_sides(dealii::ParameterHandler &prm);
+  /// @throws InputError for a plane of symmetry that there is not, or that is
+  /// free or moves
+  void check_symmetry_plane(const dealii::ParameterHandler &prm,
+                            const std::string &name) const;
   /// @throws InputError for a side that is no plane
   void clamp(const dealii::types::boundary_id side, const std::string &name);
   /// Which sides of corners() have an id that @p is_chosen accepts.

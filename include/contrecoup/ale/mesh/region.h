@@ -23,6 +23,7 @@ using RegionLaw = std::variant<IdealGas, MieGrueneisen, Tait, SolidMaterial>;
 struct Region
 {
   std::string name;
+  std::string layer; ///< of the mesh, as the entry has it
   RegionLaw law = IdealGas();
   FluidViscosity viscosity;
   /// Of solids: kinematics, and hourglass stiffness relative to the value that

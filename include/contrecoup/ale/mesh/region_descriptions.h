@@ -76,6 +76,19 @@ public:
   dealii::Tensor<1, 3> velocity_at(const dealii::Point<3> &place,
                                    const unsigned int region) const;
 
+  /// Whether any region has a pressure at the start.
+  bool has_pressure() const;
+
+  /// Whether the velocity of any region depends on the place.
+  bool velocity_depends_on_place() const;
+
+  /// Refuses regions that select nothing.
+  /// @param counts of what each region selects
+  /// @param object selected, in the singular
+  /// @throws InputError
+  void require_some(const std::vector<std::uint64_t> &counts,
+                    const std::string &object) const;
+
   /// @throws InputError for a region that names an unknown layer
   void check_layers(const MeshLayers &layers) const;
 
@@ -83,7 +96,6 @@ private:
   struct Description
   {
     Region region;
-    std::string layer;
     Expression where;
     Expression density, pressure, products;
     std::array<Expression, 3> velocity;

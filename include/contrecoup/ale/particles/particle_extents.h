@@ -16,6 +16,12 @@
 
 namespace contrecoup::ale
 {
+/// Number of the material of this name.
+/// @throws InputError that names @p entry and suggests the nearest name
+unsigned int find_material(const std::vector<mpm::ParticleMaterial> &materials,
+                           const std::string &entry,
+                           const std::string &name);
+
 /// Extents of sets of particles against known values: subsections "Extent *".
 class ParticleExtents
 {
@@ -38,11 +44,16 @@ public:
   std::vector<NamedValue> values(const mpm::Particles &particles,
                                  const MPI_Comm communicator) const;
 
-  /// Relative errors extent_NAME, as absolute values [-]. Collective.
+  /// Relative errors extent_NAME, as absolute values [-], and a warning for an
+  /// extent without particles, whose error is unknown. Collective.
   std::vector<NamedValue> errors(const mpm::Particles &particles,
                                  const MPI_Comm communicator) const;
 
 private:
+  /// Farthest position of the particles of each extent [m]. Collective.
+  std::vector<double> farthest(const mpm::Particles &particles,
+                               const MPI_Comm communicator) const;
+
   struct Extent
   {
     std::string name, region;

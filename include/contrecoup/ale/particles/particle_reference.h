@@ -46,6 +46,9 @@ public:
   /// @throws InputError for a solution that does not apply to particles
   void parse_parameters(dealii::ParameterHandler &prm);
 
+  /// Warns of known times after the end time [s].
+  void check_times(const double end_time) const;
+
   /// Finds regions by name. @throws InputError for unknown names, or when the
   /// number of known displacements is not that of probes
   void reinit(const std::vector<mpm::ParticleMaterial> &materials,

@@ -14,6 +14,8 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <array>
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -93,6 +95,27 @@ public:
   }
   /// Grid cell size at a point of the box [m].
   double cell_size_at(const dealii::Point<3> &place) const;
+
+  /// Calls @p work(place, material) at those points of a lattice over the box
+  /// where there is matter.
+  /// @param n points along each direction
+  /// @param across axis along which there is one point, at 0; 3: none
+  void sample_matter(
+    const unsigned int n,
+    const std::function<void(const dealii::Point<3> &, const int)> &work,
+    const unsigned int across = 3) const;
+
+  /// Number of sample points in each material; 0 where a lattice finer than the
+  /// particles finds none.
+  std::vector<std::uint64_t> count_matter() const;
+
+  /// Position of matter with the least coordinate along a normal, to 1e-6 of a
+  /// sample's size for convex bodies; nothing without matter [m].
+  std::optional<dealii::Point<3>>
+  lowest_matter(const dealii::Tensor<1, 3> &normal) const;
+
+  /// Whether there is matter within half a particle spacing.
+  bool is_near_matter(const dealii::Point<3> &place) const;
 
   /// Approximate number of particles [-].
   double n_particles() const;

@@ -5,6 +5,7 @@
 
 #include <contrecoup/ale/head/impact_plan.h>
 #include <contrecoup/ale/lagrange/contact_record.h>
+#include <contrecoup/ale/particles/particle_head.h>
 #include <contrecoup/ale/particles/particle_reference.h>
 #include <contrecoup/ale/particles/particle_scene.h>
 #include <contrecoup/base/parameters/expression.h>
@@ -53,6 +54,7 @@ public:
   std::vector<NamedValue> checks() override;
   std::vector<Assumption> plan() override;
   std::vector<Assumption> audit() override;
+  void finish(const std::string &folder) override;
   std::pair<std::uint64_t, std::uint64_t> size() const override
   {
     return {n_particles_, 6 * n_particles_};
@@ -66,6 +68,12 @@ private:
     double external_work, transfer_loss, contact_loss, residual;
   };
 
+  /// @throws InputError for entries that only moving meshes have
+  static void refuse_entries_of_meshes(dealii::ParameterHandler &prm);
+  /// Compares the entries with one another and with the matter.
+  /// @throws InputError for those that contradict others or select nothing
+  void check_scene();
+  bool is_on_symmetry_plane(const unsigned int axis) const;
   void build_grid();
   /// Sets column::force to the body force at the initial positions.
   void set_body_force(mpm::ParticleBlock &block) const;
@@ -73,6 +81,8 @@ private:
   void record_contact(const double step);
   EnergyLedger ledger() const;
   ImpactPlan impact_plan() const;
+  /// Grid cells across each layer around the brain of a head.
+  std::vector<NamedValue> cells_across() const;
   /// Whether the spline width resolves the layers of a head.
   Assumption layer_resolution() const;
   void find_probes();
@@ -85,6 +95,7 @@ private:
   ContactPlanes planes_;
   ParticleScene scene_;
   ParticleReference reference_;
+  ParticleHead head_;
   std::array<Expression, 3> acceleration_{{{"", "0"}, {"", "0"}, {"", "0"}}};
   std::vector<dealii::Point<3>> probe_places_;
   double courant_ = 0.3;

@@ -33,8 +33,14 @@ public:
   /// @throws InputError for an interval far below the step
   void check_interval(const double step) const;
 
+  /// @param regions each with cells of its own
+  /// @throws InputError for kind `back` with several regions, for rezoning
+  /// solids alone, and for slip without smoothing
+  void check_regions(const std::vector<Region> &regions) const;
+
   /// @param walls slip walls by boundary id
-  /// @param regions by material id; solids are not rezoned
+  /// @param regions by material id, as check_regions() accepts them; solids
+  /// are not rezoned
   /// @throws InputError for kind `back` with several regions, and for solids
   /// alone
   void
@@ -78,9 +84,6 @@ public:
   }
 
 private:
-  /// Whether there is an interface between regions.
-  bool has_interfaces() const;
-
   /// Axis to which a face is normal; -1: none.
   int axis_normal_to(const HexSpace::Face &face) const;
 

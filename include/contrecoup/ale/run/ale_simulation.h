@@ -69,12 +69,13 @@ private:
   };
 
   void build();
-  void find_probe_cells();
-  /// @param distance from the probe to the centre of the nearest @p cell [m]
+  /// Compares the entries with one another and with the mesh.
+  /// @throws InputError for those that contradict others or select nothing
+  void check_scene(const dealii::Triangulation<3> &mesh);
+  bool is_on_symmetry_plane(const dealii::types::boundary_id id) const;
   /// @throws InputError for a probe outside the mesh
-  void require_probe_inside(const std::size_t probe,
-                            const double distance,
-                            const std::uint32_t cell) const;
+  void check_probes(const dealii::Triangulation<3> &mesh) const;
+  void find_probe_cells();
   EnergyLedger ledger() const;
   void heat(const double begin, const double duration);
   ImpactPlan impact_plan() const;

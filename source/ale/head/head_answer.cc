@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/ale/head/head_answer.h>
+#include <contrecoup/base/system/text.h>
+
+#include <cmath>
+#include <map>
+
+namespace contrecoup::ale
+{
+namespace
+{
+  using Values = std::map<std::string, double>;
+
+  std::string milliseconds(const double time)
+  {
+    return brief(1e3 * time, 3) + " ms";
+  }
+
+  std::string contact_line(const Values &values)
+  {
+    std::string line =
+      "Impact at " + brief(values.at("impact_speed"), 3) + " m/s";
+    const double normal = values.at("normal_impact_speed");
+    if (std::abs(normal) < 0.999 * values.at("impact_speed"))
+      line += ", " + brief(normal, 3) + " m/s along the normal of the plane";
+    if (values.count("peak_contact_force") == 0)
+      return line + ": nothing touches a plane until the end";
+    return line + ": largest contact force " +
+           brief(values.at("peak_contact_force"), 3) + " N at " +
+           milliseconds(values.at("peak_contact_force_time")) +
+           ", contact from " + milliseconds(values.at("contact_begin")) +
+           " to " + milliseconds(values.at("contact_end"));
+  }
+
+  std::string pressure_line(const Values &values)
+  {
+    std::string line = "Pressure in the brain: ";
+    if (values.count("coup_pressure") == 0)
+      return line + "from " +
+             brief(1e-3 * values.at("injury_intracranial_pressure_lowest"), 3) +
+             " to " +
+             brief(1e-3 * values.at("injury_intracranial_pressure_peak"), 3) +
+             " kPa";
+    return line + "coup " + brief(1e-3 * values.at("coup_pressure"), 3) +
+           " kPa at " + milliseconds(values.at("coup_pressure_time")) +
+           ", contrecoup " + brief(1e-3 * values.at("contrecoup_pressure"), 3) +
+           " kPa at " + milliseconds(values.at("contrecoup_pressure_time"));
+  }
+} // namespace
+
+
+std::vector<std::string> answer_lines(const std::vector<NamedValue> &results,
+                                      const bool has_planes)
+{
+  Values values;
+  for (const NamedValue &result : results)
+    values[result.name] = result.value;
+  std::vector<std::string> lines;
+  if (has_planes && values.count("impact_speed") > 0)
+    lines.push_back(contact_line(values));
+  if (values.count("injury_intracranial_pressure_peak") > 0)
+    lines.push_back(pressure_line(values));
+  if (values.count("injury_strain_95") > 0)
+    lines.push_back("95 % of the brain is strained by at most " +
+                    brief(100. * values.at("injury_strain_95"), 3) + " %");
+  if (values.count("injury_hic15") > 0)
+    lines.push_back("HIC15 " + brief(values.at("injury_hic15"), 3));
+  return lines;
+}
+} // namespace contrecoup::ale

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/ale/head/scene_check.h>
+#include <contrecoup/base/parameters/selections.h>
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/log.h>
+#include <contrecoup/base/system/text.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace contrecoup::ale
+{
+namespace
+{
+  /// Number of times at which body forces are sampled.
+  constexpr unsigned int n_times = 200;
+
+  /// Tolerance for the round-off of positions [m].
+  constexpr double position_tolerance = 1e-9;
+
+  std::string text_of(const dealii::Point<3> &place)
+  {
+    return "(" + brief(place[0]) + ", " + brief(place[1]) + ", " +
+           brief(place[2]) + ") m";
+  }
+
+  std::string text_of(const dealii::Tensor<1, 3> &vector)
+  {
+    return brief(vector[0]) + ", " + brief(vector[1]) + ", " + brief(vector[2]);
+  }
+} // namespace
+
+
+double SceneCheck::motion_along(const unsigned int axis,
+                                const RegionDescriptions &regions,
+                                const ContactPlanes &planes,
+                                const Acceleration &acceleration)
+{
+  const double component = regions.largest_components()[axis];
+  double motion =
+    component > 0. ? component / regions.fastest_velocity().norm() : 0.;
+  for (const ContactPlane &plane : planes.planes())
+    motion = std::max(motion, std::abs(plane.normal[axis]));
+  return acceleration[axis].is_zero() ? motion : 1.;
+}
+
+
+SceneCheck::SceneCheck(const MeshDescription &mesh,
+                       const RegionDescriptions &regions,
+                       const ContactPlanes &planes,
+                       const Acceleration &acceleration,
+                       const double end_time)
+  : mesh_(mesh)
+  , regions_(regions)
+  , planes_(planes)
+  , acceleration_(acceleration)
+  , end_time_(end_time)
+  , approaches_(planes.planes().size())
+{
+  const std::size_t n_regions = regions.regions().size();
+  if (!regions.velocity_depends_on_place())
+    for (unsigned int region = 0; region < n_regions; ++region)
+      velocities_.push_back(regions.velocity_at({}, region));
+}
+
+
+dealii::Tensor<1, 3> SceneCheck::velocity_at(const dealii::Point<3> &place,
+                                             const unsigned int region) const
+{
+  return velocities_.empty() ? regions_.velocity_at(place, region)
+                             : velocities_[region];
+}
+
+
+void SceneCheck::add_matter(const dealii::Point<3> &place,
+                            const unsigned int region)
+{
+  if (approaches_.empty())
+    return;
+  const auto velocity = velocity_at(place, region);
+  for (std::size_t i = 0; i < approaches_.size(); ++i)
+  {
+    const ContactPlane &plane = planes_.planes()[i];
+    Approach &approach = approaches_[i];
+    approach.gap = std::min(approach.gap, plane.normal * (place - plane.point));
+    approach.speed = std::max(approach.speed, -(plane.normal * velocity));
+  }
+}
+
+
+void SceneCheck::add_on_symmetry_plane(const unsigned int axis,
+                                       const dealii::Point<3> &place,
+                                       const unsigned int region)
+{
+  const std::string name(1, "xyz"[axis]);
+  const std::string remedy =
+    ": take " + name + " from " +
+    (mesh_.wedge().active() ? "the planes through Mesh/Wedge axis"
+                            : "Mesh/Symmetry planes");
+  // Round-off of expressions such as sin(pi).
+  const auto velocity = velocity_at(place, region);
+  constexpr double small = 1e-9;
+  if (std::abs(velocity[axis]) > small * std::max(1., velocity.norm()))
+    throw InputError("Region " + regions_.regions()[region].name +
+                     "/Velocity " + name + " is " + brief(velocity[axis]) +
+                     " m/s across the plane of symmetry normal to " + name +
+                     ", at " + text_of(place) + remedy);
+  const Expression &force = acceleration_[axis];
+  if (force.is_zero())
+    return;
+  for (unsigned int i = 0; i <= n_times; ++i)
+  {
+    const double time = end_time_ * i / n_times;
+    if (const double value = force.value(place, time); std::abs(value) > small)
+      throw InputError("Body force/" + name + " is " + brief(value) +
+                       " m/s^2 across the plane of symmetry normal to " + name +
+                       ", at " + text_of(place) + " and " + brief(time) + " s" +
+                       remedy);
+  }
+}
+
+
+bool SceneCheck::has_body_force() const
+{
+  return std::any_of(acceleration_.begin(),
+                     acceleration_.end(),
+                     [](const Expression &one) { return !one.is_zero(); });
+}
+
+
+std::optional<double>
+SceneCheck::time_of_contact(const Approach &approach,
+                            const ContactPlane &plane) const
+{
+  double speed = approach.speed, way = 0.;
+  const double step = end_time_ / n_times;
+  if (approach.gap <= position_tolerance && speed > 0.)
+    return 0.;
+  for (unsigned int i = 0; i < n_times; ++i)
+  {
+    double towards = 0.;
+    for (unsigned int d = 0; d < 3; ++d)
+      towards -= plane.normal[d] * acceleration_[d].value({}, (i + 0.5) * step);
+    way += step * (speed + 0.5 * step * towards);
+    speed += step * towards;
+    if (way > 0. && way >= approach.gap)
+      return (i + 1.) * step;
+  }
+  return {};
+}
+
+
+void SceneCheck::check_planes(const bool others) const
+{
+  const bool is_uniform =
+    !velocities_.empty() &&
+    std::all_of(velocities_.begin(),
+                velocities_.end(),
+                [&](const dealii::Tensor<1, 3> &velocity) {
+                  return velocity == velocities_.front();
+                });
+  const bool forces_vary =
+    std::any_of(acceleration_.begin(),
+                acceleration_.end(),
+                [](const Expression &one) { return one.depends_on_place(); });
+  for (std::size_t i = 0; i < approaches_.size(); ++i)
+  {
+    const ContactPlane &plane = planes_.planes()[i];
+    const Approach &approach = approaches_[i];
+    if (approach.gap < -position_tolerance)
+      throw InputError("Plane " + plane.name +
+                       ": it cuts the body at the start, which reaches " +
+                       brief(-approach.gap) +
+                       " m behind it; move Point, or turn Normal to the side "
+                       "of the matter");
+    if (forces_vary || time_of_contact(approach, plane))
+      continue;
+    const double gap =
+                   approach.gap < 1e3 * position_tolerance ? 0. : approach.gap,
+                 speed = approach.speed;
+    const std::string where =
+      "the body is " + brief(gap) + " m away and " +
+      (speed > 0. ? "comes nearer at " + brief(speed) + " m/s"
+                  : "does not come nearer");
+    if (is_uniform && speed <= 0. && !others && !has_body_force() &&
+        approaches_.size() == 1)
+    {
+      Selections selections;
+      selections.add("Plane " + plane.name + "/Normal",
+                     text_of(plane.normal),
+                     "matter that could reach it",
+                     0);
+      selections.require_some(MPI_COMM_SELF, where);
+    }
+    log_line("WARNING: Plane " + plane.name + ": " + where +
+             (speed > 0. && !has_body_force()
+                ? ", and reaches it at " + brief(gap / speed) + " s, after"
+                : "; it is not expected to be reached before") +
+             " Time/End time = " + brief(end_time_) + " s");
+  }
+}
+} // namespace contrecoup::ale

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/ale/particles/particle_head.h>
+
+#include <deal.II/base/mpi.h>
+
+namespace contrecoup::ale
+{
+namespace
+{
+  namespace column = mpm::column;
+  namespace mpi = dealii::Utilities::MPI;
+
+  dealii::Tensor<1, 3> vector_of(const mpm::ParticleBlock &block,
+                                 const unsigned int first,
+                                 const std::size_t p)
+  {
+    return dealii::Tensor<1, 3>(
+      {block[first][p], block[first + 1][p], block[first + 2][p]});
+  }
+} // namespace
+
+
+double ParticleHead::height_of(const mpm::ParticleBlock &block,
+                               const std::size_t particle) const
+{
+  return height(vector_of(block, column::initial_position, particle));
+}
+
+
+template <typename Blocks, typename Work>
+void ParticleHead::for_each_of_brain(Blocks &particles, const Work &work) const
+{
+  particles.for_each_block([&](const unsigned int m, auto &block) {
+    for (std::size_t p = 0; m == brain_ && p < block.size(); ++p)
+      work(block, p);
+  });
+}
+
+
+void ParticleHead::reinit(const mpm::Particles &particles,
+                          const MPI_Comm communicator)
+{
+  std::vector<double> sums(2, 0.);
+  for_each_of_brain(particles,
+                    [&](const mpm::ParticleBlock &block, const std::size_t p) {
+                      sums[0] += block[column::volume][p];
+                      sums[1] += block[column::volume][p] * height_of(block, p);
+                    });
+  mpi::sum(sums, communicator, sums);
+  centre_ = sums[0] > 0. ? sums[1] / sums[0] : 0.;
+}
+
+
+void ParticleHead::resume(const mpm::Particles &particles)
+{
+  record_.samples.clear();
+  for_each_of_brain(
+    particles, [&](const mpm::ParticleBlock &block, const std::size_t p) {
+      solid::BrainSample sample;
+      sample.volume = block[column::volume][p];
+      sample.peak_strain = block[column::peak_strain][p];
+      sample.peak_pressure = block[column::peak_pressure][p];
+      sample.lowest_pressure = block[column::lowest_pressure][p];
+      record_.samples.push_back(sample);
+    });
+}
+
+
+void ParticleHead::follow(const std::vector<mpm::ParticleMaterial> &materials,
+                          const double time,
+                          const MPI_Comm communicator,
+                          mpm::Particles &particles)
+{
+  if (!is_due())
+    return;
+  if (brain_ != none)
+    follow_brain(materials[brain_], time, particles);
+  solid::MeanMotion moving, head;
+  particles.for_each_block(
+    [&](const unsigned int m, const mpm::ParticleBlock &block) {
+      for (std::size_t p = 0; is_of_head(m) && p < block.size(); ++p)
+      {
+        const auto place = vector_of(block, column::position, p),
+                   velocity = vector_of(block, column::velocity, p);
+        head.add(block[column::mass][p], place, velocity);
+        if (m == moving_region())
+          moving.add(block[column::mass][p], place, velocity);
+      }
+    });
+  record_motion(time, communicator, moving, head);
+}
+
+
+void ParticleHead::follow_brain(const mpm::ParticleMaterial &brain,
+                                const double time,
+                                mpm::Particles &particles)
+{
+  resume(particles);
+  std::vector<double> pressures, averages, heights;
+  auto sample = record_.samples.begin();
+  for_each_of_brain(particles,
+                    [&](const mpm::ParticleBlock &block, const std::size_t p) {
+                      const auto values = mpm::particle_values(brain, block, p);
+                      pressures.push_back(block[column::pressure][p]);
+                      averages.push_back(values.pressure);
+                      heights.push_back(height_of(block, p) - centre_);
+                      sample->peak_strain =
+                        std::max(sample->peak_strain, values.principal_strain);
+                      ++sample;
+                    });
+  const solid::BrainSums before = record_.sums;
+  record_brain(time, pressures, averages, heights, record_.samples);
+  // Without smoothing there is no average to compare with.
+  if (!brain.is_smoothed)
+  {
+    record_.sums.fluctuation_square = before.fluctuation_square;
+    record_.sums.average_square = before.average_square;
+  }
+  sample = record_.samples.begin();
+  for_each_of_brain(
+    particles, [&](mpm::ParticleBlock &block, const std::size_t p) {
+      block[column::peak_strain][p] = sample->peak_strain;
+      block[column::peak_pressure][p] = sample->peak_pressure;
+      block[column::lowest_pressure][p] = sample->lowest_pressure;
+      ++sample;
+    });
+}
+} // namespace contrecoup::ale

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/ale/head/scene_check.h>
+#include <contrecoup/ale/particles/particle_simulation.h>
+#include <contrecoup/base/parameters/selections.h>
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/text.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace contrecoup::ale
+{
+namespace
+{
+  /// Particle updates per second and core, for estimates only: measured on the
+  /// quickstart's head with a processor of 2021.
+  constexpr double typical_speed = 1e6;
+
+  /// Number of sample points along each direction.
+  constexpr unsigned int check_samples = 48;
+
+  /// Memory per particle with its part of the grid [bytes].
+  constexpr double typical_memory = 1200.;
+} // namespace
+
+
+bool ParticleSimulation::is_on_symmetry_plane(const unsigned int axis) const
+{
+  return mesh_.has_layers() && mesh_.symmetry_planes()[axis];
+}
+
+
+void ParticleSimulation::check_scene()
+{
+  const std::vector<Region> regions = regions_.regions();
+  head_.find(regions, planes_.planes());
+  reference_.reinit(scene_.materials(), scene_.half_spacing(), probe_places_);
+  regions_.require_some(scene_.count_matter(), "particle");
+  SceneCheck check(mesh_, regions_, planes_, acceleration_, end_time_);
+  scene_.sample_matter(check_samples,
+                       [&](const dealii::Point<3> &place, const int region) {
+                         check.add_matter(place, region);
+                       });
+  for (const ContactPlane &plane : planes_.planes())
+    if (const auto lowest = scene_.lowest_matter(plane.normal))
+      check.add_matter(*lowest, scene_.source().material_at(*lowest));
+  for (unsigned int d = 0; d < 3; ++d)
+    if (is_on_symmetry_plane(d))
+      scene_.sample_matter(
+        check_samples,
+        [&](const dealii::Point<3> &place, const int region) {
+          check.add_on_symmetry_plane(d, place, region);
+        },
+        d);
+  check.check_planes(regions_.has_pressure());
+  for (const dealii::Point<3> &place : probe_places_)
+    if (!scene_.is_near_matter(place))
+      throw InputError("Probes/Points: (" + brief(place[0]) + ", " +
+                       brief(place[1]) + ", " + brief(place[2]) +
+                       ") m is outside of the matter");
+}
+
+
+CostEstimate ParticleSimulation::estimate()
+{
+  check_scene();
+  CostEstimate cost;
+  cost.cells = scene_.n_particles();
+  cost.unknowns = 6. * cost.cells;
+  cost.memory = typical_memory * cost.cells;
+  double speed = 0.;
+  for (unsigned int m = 0; m < scene_.materials().size(); ++m)
+    speed =
+      std::max(speed, std::sqrt(regions_.matter_at({}, m).sound_speed_squared));
+  speed += regions_.fastest_velocity().norm();
+  cost.steps =
+    std::ceil(end_time_ * speed / (courant_ * scene_.smallest_cell_size()));
+  head_.check_interval(cost.steps);
+  cost.seconds = cost.steps * cost.cells / typical_speed /
+                 dealii::Utilities::MPI::n_mpi_processes(communicator_);
+  return cost;
+}
+
+
+ImpactPlan ParticleSimulation::impact_plan() const
+{
+  ImpactPlan plan;
+  plan.regions = regions_.regions();
+  plan.planes = planes_.planes();
+  plan.head = estimate_head(mesh_, regions_, planes_);
+  plan.end_time = end_time_;
+  plan.velocity = regions_.fastest_velocity();
+  plan.cell_size = scene_.cell_size();
+  plan.computed_fraction = plan.cost = plan.least_cost =
+    mesh_.computed_fraction();
+  for (unsigned int d = 0; d < 3; ++d)
+    if (is_on_symmetry_plane(d))
+      plan.asymmetry =
+        std::max(plan.asymmetry,
+                 SceneCheck::motion_along(d, regions_, planes_, acceleration_));
+  for (const Expression &component : acceleration_)
+    plan.has_body_force = plan.has_body_force || !component.is_zero();
+  return plan;
+}
+
+
+std::vector<NamedValue> ParticleSimulation::cells_across() const
+{
+  std::vector<NamedValue> values;
+  for (const MeshDescription::Shell &shell : mesh_.shells())
+    values.push_back(
+      {"cells_across_" + shell.name,
+       "-",
+       shell.thickness / scene_.cell_size_at({shell.middle, 0., 0.})});
+  return values;
+}
+
+
+Assumption ParticleSimulation::layer_resolution() const
+{
+  // Slip between fields needs two cells; one field needs more, because spline
+  // supports overlap.
+  constexpr double least_of_one_field = 4., least_of_several = 2.;
+  const bool is_one = scene_.field_contact().n_fields() < 2;
+  double least = std::numeric_limits<double>::max();
+  for (const NamedValue &layer : cells_across())
+    least = std::min(least, layer.value);
+  return {"layers",
+          is_one ? "one velocity for all" : "a velocity for each region",
+          "cells of the grid across the thinnest layer",
+          "-",
+          least,
+          is_one ? least_of_one_field : least_of_several,
+          true,
+          "MPM/Cell size"};
+}
+
+
+std::vector<Assumption> ParticleSimulation::plan()
+{
+  std::vector<Assumption> items = impact_plan().plan();
+  if (mesh_.head() != nullptr)
+    items.push_back(layer_resolution());
+  return items;
+}
+
+
+std::vector<Assumption> ParticleSimulation::audit()
+{
+  const double kinetic = initial_energy_;
+  std::vector<Assumption> items =
+    impact_plan().audit({least_pressures_,
+                         contact_record_.end,
+                         contact_now_.friction_work,
+                         contact_now_.sliding_work,
+                         kinetic,
+                         0.,
+                         energy_scale_});
+  if (mesh_.head() != nullptr)
+    items.push_back(layer_resolution());
+  return items;
+}
+} // namespace contrecoup::ale
