@@ -191,7 +191,7 @@ std::optional<Outcome> read_outcome(const std::string &file,
   const Json text = read_json(file);
   if (!is_whole(text))
   {
-    log_line("the outcome \"" + file + "\" is damaged: its run is made again");
+    show_line("the outcome \"" + file + "\" is damaged: its run is made again");
     return {};
   }
   if (text["identity"] != Json::parse(identity))

@@ -214,16 +214,16 @@ std::string Study::plan_of_first() const
 void Study::check() const
 {
   const std::string plan = plan_of_first();
-  log_line("study would run " + std::to_string(tasks_.size()) + " times " +
-           application_.name() + " on " + parameters_.parameter_file + ":");
+  show_line("study would run " + std::to_string(tasks_.size()) + " times " +
+            application_.name() + " on " + parameters_.parameter_file + ":");
   for (const Factor &factor : parameters_.factors)
-    log_line("  " + factor.name + ": " +
-             (factor.is_range
-                ? brief(factor.lower) + " to " + brief(factor.upper)
-                : join(factor.labels, "; ")));
-  log_line("  output " + folder_);
-  log_line("The first run:");
-  log_line(plan);
+    show_line("  " + factor.name + ": " +
+              (factor.is_range
+                 ? brief(factor.lower) + " to " + brief(factor.upper)
+                 : join(factor.labels, "; ")));
+  show_line("  output " + folder_);
+  show_line("The first run:");
+  show_line(plan);
 }
 
 bool Study::has_outcomes() const
@@ -256,7 +256,7 @@ void Study::prepare(const std::string &parameter_text,
   for (const Task &task : tasks_)
     n_done_ += task.outcome ? 1 : 0;
   n_done_before_ = n_done_;
-  log_line(
+  show_line(
     "study " + version() + " (" + git_revision() +
     "): " + std::to_string(tasks_.size()) + " runs of " + application_.name() +
     " on " + parameters_.parameter_file +
@@ -272,11 +272,19 @@ void Study::report(const Task &task)
       .count();
   const auto done_now = static_cast<double>(n_done_ - n_done_before_);
   const auto left = static_cast<double>(tasks_.size() - n_done_);
-  log_line(std::to_string(n_done_) + " of " + std::to_string(tasks_.size()) +
-           "  " + outcome.kind + "  " + duration(outcome.wall_seconds) + "  " +
+  const std::string progress = std::to_string(n_done_) + " of " +
+                               std::to_string(tasks_.size()) + " runs, ";
+  const std::string time_left = duration(passed * left / done_now) + " left";
+  log_line(progress + outcome.kind + " after " +
+           duration(outcome.wall_seconds) + ", about " + time_left + ": " +
            task_label(task) +
-           (outcome.reason.empty() ? "" : ": " + one_line(outcome.reason)) +
-           "  (about " + duration(passed * left / done_now) + " left)");
+           (outcome.reason.empty() ? "" : ": " + one_line(outcome.reason)));
+  const std::size_t n = tasks_.size();
+  Log &log = Log::instance();
+  log.status(progress + time_left);
+  const bool is_quarter = 4 * n_done_ / n > 4 * (n_done_ - 1) / n;
+  if (is_quarter && n_done_ < n && !log.on_terminal() && !log.is_verbose())
+    log.progress(progress + time_left);
   const bool is_reference = has_reference_ && &task == &tasks_.front();
   if (is_reference && !outcome.is_usable())
     throw NumericsError("the reference run is " + outcome.kind + ": " +
@@ -335,12 +343,12 @@ void Study::write_recommendation(const StudyResult &result)
                                   "/parameters.prm",
                                 base_entries_));
   draw();
-  log_line("finished: " + told_counts(result));
+  show_line("finished: " + told_counts(result));
   for (const std::string &line : result.remarks)
-    log_line(line);
+    show_line(line);
   for (const std::string &line : recommendation(parameters_, result))
-    log_line(line);
-  log_line("results in " + folder_);
+    show_line(line);
+  show_line("results in " + folder_);
   const auto counts = count_outcomes(result);
   if (counts.size() == 1 && counts.count("refused") == 1)
     throw InputError("all variants were refused; the first (" +
@@ -360,7 +368,7 @@ void Study::draw() const
   }
   catch (const SystemError &error)
   {
-    log_line("warning: there are no pictures: " + std::string(error.what()));
+    log_line("WARNING: there are no pictures: " + std::string(error.what()));
   }
 }
 
@@ -386,9 +394,9 @@ void Study::execute(const io::CommandLine &command,
   write_results(status, seconds);
   claim.set_status(status);
   if (!complete)
-    log_line("stopped after " + std::to_string(n_done_) + " of " +
-             std::to_string(tasks_.size()) +
-             " runs; --resume goes on with the others");
+    show_line("stopped after " + std::to_string(n_done_) + " of " +
+              std::to_string(tasks_.size()) +
+              " runs; --resume goes on with the others");
   Log::instance().check();
   if (!complete)
     SignalGuard::require_no_stop();

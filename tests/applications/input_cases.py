@@ -281,7 +281,8 @@ def make_files():
 
 def run(program, arguments):
     """The application's answer; one that hangs is ended, with exit code -9."""
-    command = [program, *arguments, "--check", "--output", "output"]
+    command = [program, *arguments, "--check", "--output", "output",
+               "--verbose"]
     environment = dict(os.environ, CONTRECOUP_CHECK_SECONDS="0")
     try:
         return subprocess.run(command, cwd=FOLDER, env=environment,

@@ -23,11 +23,32 @@ TEST(Log, QuietScreenGetsWarningsAndWhatIsShown)
   show_line("the answer");
   const std::string screen = testing::internal::GetCapturedStdout();
   log.set_verbose(true);
-  EXPECT_EQ(screen,
-            "  WARNING: the record ends early\n"
-            "WARNING: the record ends early\nthe answer\n");
-  EXPECT_EQ(log.warnings(),
-            std::vector<std::string>{"the record ends early"});
+  EXPECT_EQ(screen, "  WARNING: the record ends early\nthe answer\n");
+  EXPECT_EQ(log.warnings(), std::vector<std::string>{"the record ends early"});
   log.close();
   EXPECT_TRUE(log.warnings().empty());
+}
+
+TEST(Log, ScreenGetsOnlyWarningsAndProgressOfAPart)
+{
+  Log &log = Log::instance();
+  log.close();
+  log.set_verbose(false);
+  testing::internal::CaptureStdout();
+  {
+    const LogPart part("blast");
+    show_line("the answer of a stage");
+    log_line("WARNING: of a stage");
+    log.progress("50 %");
+  }
+  {
+    const LogPart part("coarser", true);
+    log_line("WARNING: of a quiet stage");
+    EXPECT_EQ(log.warnings(), std::vector<std::string>{"of a quiet stage"});
+  }
+  show_line("the answer");
+  const std::string screen = testing::internal::GetCapturedStdout();
+  log.set_verbose(true);
+  log.close();
+  EXPECT_EQ(screen, "WARNING: of a stage\nblast: 50 %\nthe answer\n");
 }

@@ -59,6 +59,22 @@ TEST(ParameterFile, ReadsSectionsCommentsAndContinuedLines)
   EXPECT_EQ(assignments[2].origin, "\"read.prm\", line 8");
 }
 
+TEST(ParameterFile, SaysWhereTextIsNotUtf8OrHasALookalike)
+{
+  EXPECT_EQ(refusal("set A = 1\nset Title = caf\xE9\n"),
+            "\"refused.prm\", line 2: not UTF-8: byte 0xE9 after \"set Title = "
+            "caf\"; save the file as UTF-8");
+  EXPECT_EQ(refusal("# caf\xE9\nset Title = caf\u00E9\n"), "accepted");
+  EXPECT_NE(refusal("set\u00A0A = 1\n")
+              .find("line 1: cannot understand \"set\u00A0A = 1\""),
+            std::string::npos);
+  EXPECT_NE(
+    refusal("set\u00A0A = 1\n")
+      .find("; U+00A0 (no-break space) after \"set\": write a space instead"),
+    std::string::npos);
+  EXPECT_EQ(refusal("set\tA\t=\t1\r\n"), "accepted");
+}
+
 TEST(ParameterFile, IncludesRelativeToTheIncludingFile)
 {
   std::filesystem::create_directories("folder/deeper");

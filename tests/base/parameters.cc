@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/base/parameters/parameter_search.h>
 #include <contrecoup/base/parameters/parameter_tree.h>
 #include <contrecoup/base/parameters/parameters.h>
 #include <contrecoup/base/system/exceptions.h>
@@ -152,16 +153,79 @@ TEST(Parameters, TextReadBackGivesTheSameValues)
     std::ofstream("written.prm") << parameter_text(prm, annotated);
     ParameterHandler again;
     declare_all(again);
-    if (annotated)
-      EXPECT_THROW(apply_assignments(read_assignments("written.prm"), again),
-                   InputError)
-        << "the pattern is for people";
-    else
-    {
-      apply_assignments(read_assignments("written.prm"), again);
-      EXPECT_EQ(parameter_values(prm), parameter_values(again));
-      EXPECT_EQ(item_names(again, "Region"), item_names(prm, "Region"));
-    }
+    apply_assignments(read_assignments("written.prm"), again);
+    EXPECT_EQ(parameter_values(prm), parameter_values(again));
+    EXPECT_EQ(item_names(again, "Region"), item_names(prm, "Region"));
+  }
+}
+
+TEST(Parameters, NumbersHaveNeitherUnitsNorCommas)
+{
+  EXPECT_EQ(refusal("Density=1 kg"),
+            "--set: entry \"Density\" cannot be \"1 kg\": a number stands "
+            "without its unit, here kg/m^3: \"1\"; allowed: a number from 0 to "
+            "100000");
+  EXPECT_NE(refusal("Density=0,5")
+              .find(": the decimal separator is a point: \"0.5\"; allowed"),
+            std::string::npos);
+  EXPECT_NE(refusal("Places=1 m, 0").find("without its unit, here m: \"1\""),
+            std::string::npos);
+  EXPECT_NE(refusal("Domain.Density=1")
+              .find("a \"/\" separates section and entry: \"Domain/Density\""),
+            std::string::npos);
+}
+
+TEST(Parameters, LettersThatLookLikeOthersAreNamed)
+{
+  EXPECT_EQ(refusal("Density=0.5\u00A0"),
+            "--set: the value of entry \"Density\" has U+00A0 (no-break space) "
+            "after \"0.5\": write a space instead");
+  EXPECT_NE(refusal("Density=\u22122").find("U+2212 (minus sign)"),
+            std::string::npos);
+  EXPECT_NE(refusal("Den\u200Bsity=2").find("U+200B (invisible letter)"),
+            std::string::npos);
+  EXPECT_NE(refusal("Density=\uFF11").find("U+FF11 (full-width letter)"),
+            std::string::npos);
+  EXPECT_NE(refusal("Density=\u201C2\u201D").find("U+201C (quotation mark)"),
+            std::string::npos);
+  EXPECT_NE(refusal("Density=2\u00B7").find("U+00B7 after \"2\""),
+            std::string::npos);
+  EXPECT_NE(refusal("Density=\xE9").find("not UTF-8: byte 0xE9"),
+            std::string::npos);
+}
+
+TEST(Parameters, APatternHasNoValuesOfItsOwn)
+{
+  ParameterHandler prm;
+  declare_all(prm);
+  const auto radius = [](const std::string &value) {
+    return Assignment{{"Region *"}, "Radius", value, "\"a.prm\", line 2", ""};
+  };
+  EXPECT_NO_THROW(apply_assignments({radius("1")}, prm));
+  EXPECT_THROW(apply_assignments({radius("7")}, prm), InputError);
+  EXPECT_TRUE(item_names(prm, "Region").empty());
+}
+
+TEST(Parameters, OneSectionOrTheEntriesWithAWordAreFound)
+{
+  ParameterHandler prm;
+  declare_all(prm);
+  const std::string by_name = find_parameters(prm, "density");
+  EXPECT_NE(by_name.find("set Density = 1.4\n"), std::string::npos);
+  EXPECT_EQ(by_name.find("Table"), std::string::npos);
+  EXPECT_NE(find_parameters(prm, "of the gas").find("set Density"),
+            std::string::npos);
+  EXPECT_NE(find_parameters(prm, "region").find("subsection Region *\n"),
+            std::string::npos);
+  try
+  {
+    find_parameters(prm, "denisty");
+    ADD_FAILURE();
+  }
+  catch (const InputError &error)
+  {
+    EXPECT_NE(std::string(error.what()).find("did you mean \"Density\"?"),
+              std::string::npos);
   }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/base/system/shell_word.h>
 #include <contrecoup/base/system/text.h>
 
 #include <gtest/gtest.h>
@@ -48,6 +49,14 @@ TEST(Text, ExactNumbersComeBackBitByBit)
   EXPECT_EQ(exact(0.005), "0.005");
   EXPECT_EQ(exact(0.1 + 0.2), "0.30000000000000004");
   EXPECT_EQ(exact(-101325.), "-101325");
+}
+
+TEST(Text, WordsForAShellAreQuotedWhereNeeded)
+{
+  EXPECT_EQ(shell_word("output/scene-1.prm"), "output/scene-1.prm");
+  EXPECT_EQ(shell_word("sc\u00E8ne 1.prm"), "'sc\u00E8ne 1.prm'");
+  EXPECT_EQ(shell_word("it's"), "'it'\\''s'");
+  EXPECT_EQ(shell_word(""), "''");
 }
 
 TEST(Text, NothingIsNearATextOfAnyLength)

@@ -65,9 +65,12 @@ def predicted_over_needed(blast, file, settings):
 
 
 def seconds_said(text):
-    """The sum of the wall times that --check of a scene's stages says."""
-    found = re.findall(r"wall time about ((?:[\d.e+-]+ (?:ms|s|min|h|d) ?)+)",
-                       text)
+    """The sum of the wall times that --check of a scene's stages says: the
+    last row of its table."""
+    lines = text.splitlines()
+    heading = next(line for line in lines if " wall time " in line)
+    last = next(line for line in lines if line.startswith("  all "))
+    found = [last[heading.index("wall time"):heading.index("output")]]
     return sum(float(number) * UNITS[unit] for entry in found
                for number, unit in re.findall(r"([\d.e+-]+) (\w+)", entry))
 

@@ -39,6 +39,23 @@ void expect_same_results(const std::string &one, const std::string &two)
 }
 } // namespace
 
+TEST(Application, ScreenIsShortUnlessVerbose)
+{
+  const std::string folder = local("quiet");
+  remove(folder);
+  const Result result = run_oscillator({scene(), "--output", folder}, false);
+  EXPECT_EQ(result.code, 0);
+  const std::string log = content(folder + "/log.txt");
+  EXPECT_NE(log.find("advance"), std::string::npos) << "has no timers";
+  EXPECT_EQ(result.out.find("advance"), std::string::npos);
+  if (!is_first_rank())
+    return;
+  EXPECT_LT(n_lines(result.out), 10);
+  EXPECT_EQ(result.out.find("oscillator "), 0U);
+  EXPECT_NE(result.out.find("\nfinished at step "), std::string::npos);
+  EXPECT_NE(result.out.find("\nresults in " + folder), std::string::npos);
+}
+
 TEST(Application, LeavesTheFilesOfTheContract)
 {
   const std::string folder = local("plain");

@@ -102,6 +102,10 @@ TEST(BadInput, IsRefusedInOneLineAndLeavesNothing)
   expect_failure(run_scene(folder, {"--resume"}), 1, "no complete checkpoint");
   expect_failure(run_scene(folder, with("input", 0)), 1, "spring is broken");
   EXPECT_FALSE(exists(folder));
+  run_scene(folder);
+  expect_failure(run_scene(folder, {"--resume", "--set", "Time/End time=4"}),
+                 1,
+                 "Output/Checkpoint at the end = true");
 }
 
 TEST(BadInput, OfOneRankIsThatOfAll)

@@ -2,12 +2,14 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/shell_word.h>
 #include <contrecoup/base/system/signals.h>
 #include <contrecoup/io/run/command_line.h>
 
 #include <gtest/gtest.h>
 
 #include <csignal>
+#include <filesystem>
 #include <iostream>
 
 using namespace contrecoup;
@@ -121,6 +123,27 @@ TEST(CommandLine, ASignalEndsTheChecksOfAllFiles)
   testing::internal::GetCapturedStdout();
   EXPECT_EQ(code, 143);
   EXPECT_EQ(n_checked, 1U);
+}
+
+TEST(CommandLine, RepeatsARunFromItsFolder)
+{
+  const std::string text = repeating_command(
+    parse({"my scene.prm", "--set", "Scene/Title=it's", "--output", "out"}), 2);
+  EXPECT_EQ(text.find("cd " +
+                      shell_word(std::filesystem::current_path().string()) +
+                      " && mpirun -np 2 /"),
+            0U);
+  EXPECT_NE(text.find(" 'my scene.prm' --set 'Scene/Title=it'\\''s' "
+                      "--output out"),
+            std::string::npos);
+}
+
+TEST(CommandLine, WordAfterPrintParametersIsNoFile)
+{
+  const CommandLine command = parse({"--print-parameters", "Time"});
+  EXPECT_EQ(command.wanted_parameters, "Time");
+  EXPECT_EQ(command.parameter_file, "");
+  EXPECT_EQ(parse({"--print-parameters", "a.prm"}).parameter_file, "a.prm");
 }
 
 TEST(CommandLine, RefusesWhatItDoesNotKnow)

@@ -20,10 +20,13 @@ namespace io
 {
   namespace fs = std::filesystem;
 
-  Result run_oscillator(const std::vector<std::string> &arguments)
+  Result run_oscillator(const std::vector<std::string> &arguments,
+                        const bool verbose)
   {
     std::vector<std::string> words = {"oscillator"};
     words.insert(words.end(), arguments.begin(), arguments.end());
+    if (verbose)
+      words.push_back("--verbose");
     std::vector<char *> argv;
     for (std::string &word : words)
       argv.push_back(word.data());

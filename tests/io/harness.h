@@ -18,8 +18,10 @@ namespace io
     std::string err; ///< of this rank
   };
 
-  /// Runs the oscillator with these arguments on all ranks.
-  Result run_oscillator(const std::vector<std::string> &arguments);
+  /// Runs the oscillator with these arguments on all ranks, by default so that
+  /// the screen gets all lines of the log.
+  Result run_oscillator(const std::vector<std::string> &arguments,
+                        bool verbose = true);
 
   /// The same with the parameter file of scene() and `--output folder`.
   Result run_scene(const std::string &folder,

@@ -96,7 +96,7 @@ def pulse(time, peak, delay=0., part=1.):
 def write_scene(folder):
     stages = [{"name": name, "status": "finished", "folder": name,
                "wall_seconds": 75., "core_seconds": 61.5,
-               "peak_memory": 2.2e9, "disk": 5.5e6, "hash": "00"}
+               "peak_memory": 2.25 * 2**30, "disk": 5.5 * 2**20, "hash": "00"}
               for name in ("anatomy", "blast", "biomechanics",
                            "coarser_blast", "coarser_biomechanics")]
     write(os.path.join(folder, "scene.json"), json.dumps({

@@ -267,7 +267,7 @@ def _duration(seconds):
 def _bytes(count):
     if count is None:
         return "–"
-    for size, unit in ((1e9, "GB"), (1e6, "MB"), (1e3, "kB")):
+    for size, unit in ((2**30, "GiB"), (2**20, "MiB"), (2**10, "KiB")):
         if count >= size:
             return page.Rounded(f"{page.number(count / size, 2)} {unit}",
                                 int(count), "B")

@@ -8,15 +8,19 @@ that the table rounds."""
 import base64
 import csv
 import html
+import html.parser
 import io
 import math
 import os
 import re
 import struct
+import textwrap
 
 import matplotlib.pyplot as plt
 
 from plot.figures import style
+
+LONGEST_ANSWER = 8  # lines on the screen
 
 STYLE = """
 :root { --ink: #1d2329; --soft: #5b6570; --line: #d9dee3; --pale: #f4f6f8;
@@ -455,6 +459,38 @@ def _name_files(section, content):
                                                              parts[1:])))
 
 
+class _Answer(html.parser.HTMLParser):
+    """The words of the paragraphs that a page opens with as its answer."""
+
+    def __init__(self):
+        super().__init__()
+        self.depth, self.in_paragraph, self.words = 0, False, []
+
+    def handle_starttag(self, tag, attrs):
+        classes = (dict(attrs).get("class") or "").split()
+        if tag == "div" and (self.depth or "answer" in classes):
+            self.depth += 1
+        self.in_paragraph = bool(self.depth) and (tag == "p"
+                                                  or self.in_paragraph)
+
+    def handle_endtag(self, tag):
+        if tag == "div" and self.depth:
+            self.depth -= 1
+        if tag == "p":
+            self.in_paragraph = False
+
+    def handle_data(self, data):
+        if self.in_paragraph:
+            self.words += data.split()
+
+
+def answer_of(text):
+    """The answer of a page, without its markup."""
+    parser = _Answer()
+    parser.feed(text)
+    return " ".join(parser.words)
+
+
 def write_page(folder, text):
     """Writes report.html; the old one stays until the new one is whole.
     Prints its path."""
@@ -463,3 +499,9 @@ def write_page(folder, text):
         file.write(text)
     os.replace(path + ".new", path)
     print(path)
+
+
+def print_answer(text):
+    """Prints the answer of a page, indented by two spaces."""
+    for line in textwrap.wrap(answer_of(text), 78)[:LONGEST_ANSWER]:
+        print("  " + line)

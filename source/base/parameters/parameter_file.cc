@@ -5,6 +5,7 @@
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/readable_file.h>
 #include <contrecoup/base/system/text.h>
+#include <contrecoup/base/system/unicode.h>
 
 #include <filesystem>
 #include <sstream>
@@ -14,6 +15,11 @@ namespace contrecoup
 namespace
 {
   constexpr std::size_t most_bytes = std::size_t(1) << 24;
+
+  std::string after_semicolon(const std::string &remark)
+  {
+    return remark.empty() ? "" : "; " + remark;
+  }
 
   /// Reads a file and, recursively, the files that it includes.
   class FileReader
@@ -56,6 +62,9 @@ namespace
           break;
         line += trim(next.substr(0, next.find('#')));
       }
+      const std::string damage = why_not_utf8(line);
+      if (!damage.empty())
+        throw InputError(where + ": " + damage);
       if (line == "end" && sections_.size() == depth)
         throw InputError(where + ": \"end\" without a subsection");
       interpret(line, where);
@@ -91,7 +100,8 @@ namespace
     else
       throw InputError(where + ": cannot understand " + quotation(line) +
                        "; a line is \"subsection NAME\", \"set ENTRY = "
-                       "VALUE\", \"end\" or \"include FILE\"");
+                       "VALUE\", \"end\" or \"include FILE\"" +
+                       after_semicolon(find_lookalike(line)));
   }
 
   void FileReader::assign(const std::string &rest, const std::string &where)
@@ -99,7 +109,8 @@ namespace
     const std::size_t equals = rest.find('=');
     if (equals == std::string::npos || trim(rest.substr(0, equals)).empty())
       throw InputError(where + ": " + quotation("set " + rest) +
-                       " is not of the form \"set ENTRY = VALUE\"");
+                       " is not of the form \"set ENTRY = VALUE\"" +
+                       after_semicolon(find_lookalike(rest)));
     assignments_.push_back(
       {sections_,
        trim(rest.substr(0, equals)),
@@ -145,6 +156,9 @@ Assignment parse_override(const std::string &text)
   if (!complete)
     throw InputError("--set " + quotation(text) +
                      " is not of the form \"Section/Entry=value\"");
+  const std::string damage = why_not_utf8(text);
+  if (!damage.empty())
+    throw InputError("--set " + damage);
   if (text.find_first_of("#\n") != std::string::npos)
     throw InputError("--set " + quotation(text) +
                      " holds a \"#\" or a line end, which a parameter file "

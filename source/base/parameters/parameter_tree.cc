@@ -9,11 +9,15 @@
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/readable_file.h>
 #include <contrecoup/base/system/text.h>
+#include <contrecoup/base/system/unicode.h>
 
 #include <deal.II/base/patterns.h>
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
 #include <filesystem>
 #include <sstream>
 
@@ -74,6 +78,13 @@ namespace
            "\"";
   }
 
+  /// "; it has U+00A0 (no-break space) ..." of a name; empty if it has none.
+  std::string remark_on(const std::string &name)
+  {
+    const std::string found = find_lookalike(name);
+    return found.empty() ? "" : "; it has " + found;
+  }
+
   /// Declares the named items in @p assignment and checks that its entry
   /// exists. Returns the entry's node.
   const Tree &
@@ -91,7 +102,7 @@ namespace
       if (is_pattern(section) || (!declared && pattern.empty()))
         throw InputError(assignment.origin + ": unknown subsection " +
                          quotation(section) + " " + where(sections, depth) +
-                         suggestion(section, known));
+                         suggestion(section, known) + remark_on(section));
       if (!declared)
       {
         const Tree copy = (*node)[pattern];
@@ -105,12 +116,38 @@ namespace
       node = &(*node)[section];
     }
     const std::vector<std::string> known = names(*node, true);
-    if (std::find(known.begin(), known.end(), assignment.entry) == known.end())
-      throw InputError(assignment.origin + ": unknown entry " +
-                       quotation(assignment.entry) + " " +
-                       where(sections, sections.size()) +
-                       suggestion(assignment.entry, known));
+    const std::string &entry = assignment.entry;
+    if (std::find(known.begin(), known.end(), entry) == known.end())
+      throw InputError(
+        assignment.origin + ": unknown entry " + quotation(entry) + " " +
+        where(sections, sections.size()) +
+        (assignment.origin == "--set" && entry.find('.') != std::string::npos
+           ? "; a \"/\" separates section and entry: " +
+               quotation(join(split(entry, '.'), "/"))
+           : suggestion(entry, known) + remark_on(entry)));
     return (*node)[assignment.entry];
+  }
+
+  /// Whether a subsection is the pattern itself, "Region *", with the default
+  /// of an entry, as --print-parameters prints it.
+  /// @throws InputError for another value, which would have no effect
+  bool is_of_pattern(const Assignment &assignment, const Tree &tree)
+  {
+    const auto &sections = assignment.sections;
+    const auto star =
+      std::find_if(sections.begin(), sections.end(), is_pattern);
+    if (star == sections.end() || assignment.origin == "--set")
+      return false;
+    std::string path;
+    for (const std::string &section : sections)
+      path += "/" + section;
+    const Tree::json_pointer place(path + "/" + assignment.entry);
+    if (!tree.contains(place) || !is_entry(tree[place]))
+      return false;
+    if (tree[place]["default_value"] != assignment.value)
+      throw InputError(assignment.origin + ": the * of subsection " +
+                       quotation(*star) + " stands for a name of your own");
+    return true;
   }
 
   std::string plain_range(const std::string &kind, const std::string &range)
@@ -200,10 +237,67 @@ namespace
     return assignment.value;
   }
 
-  /// Error text: what the entry allows instead of the given value.
-  std::string refusal(const Assignment &assignment,
-                      const std::string &description)
+  /// Number of letters at the beginning of @p text that make a number.
+  std::size_t length_of_number(const std::string &text)
   {
+    char *end = nullptr;
+    std::strtod(text.c_str(), &end);
+    return static_cast<std::size_t>(end - text.c_str());
+  }
+
+  /// What is wrong with @p value where numbers are wanted: a letter beyond
+  /// ASCII, a unit, a comma as decimal separator; empty if none of these.
+  std::string why_no_number(const std::string &value, const Tree &entry)
+  {
+    const auto pattern = entry["pattern_description"].get<std::string>();
+    const bool is_list = pattern.find("[List of <") == 0 &&
+                         pattern.find("[Double") != std::string::npos;
+    if (!is_list && pattern.find("[Double") != 0 &&
+        pattern.find("[Integer") != 0)
+      return "";
+    const std::string foreign = find_foreign_letter(value);
+    if (!foreign.empty())
+      return foreign;
+    const auto help = entry["documentation"].get<std::string>();
+    const std::string unit =
+      help.find('[') == 0 ? help.substr(1, help.find(']') - 1) : "-";
+    std::string numbers = value;
+    std::replace(numbers.begin(), numbers.end(), ';', ',');
+    for (const std::string &item :
+         is_list ? split(numbers, ',') : std::vector<std::string>{value})
+    {
+      const std::size_t end = length_of_number(item);
+      const std::string rest = trim(item.substr(end));
+      if (end > 0 && !is_list && rest.size() > 1 && rest[0] == ',' &&
+          rest.find_first_not_of("0123456789", 1) == std::string::npos)
+        return "the decimal separator is a point: " +
+               quotation(item.substr(0, end) + "." + rest.substr(1));
+      if (end > 0 && !rest.empty() &&
+          std::isalpha(static_cast<unsigned char>(rest[0])) != 0)
+        return "a number stands without its unit, here " +
+               (unit == "-" ? "none" : unit) + ": " +
+               quotation(item.substr(0, end));
+    }
+    return "";
+  }
+
+  /// @throws InputError for letters that look like others, except in titles
+  /// and names of files
+  void require_plain_letters(const Assignment &assignment,
+                             const std::string &pattern)
+  {
+    const bool is_free =
+      assignment.entry == "Title" || pattern.find("[FileName ") == 0;
+    const std::string found = is_free ? "" : find_lookalike(assignment.value);
+    if (!found.empty())
+      throw InputError(assignment.origin + ": the value of entry " +
+                       quotation(assignment.entry) + " has " + found);
+  }
+
+  /// Error text: what the entry allows instead of the given value.
+  std::string refusal(const Assignment &assignment, const Tree &entry)
+  {
+    const auto description = entry["pattern_description"].get<std::string>();
     std::vector<std::string> path = assignment.sections;
     path.push_back(assignment.entry);
     std::vector<std::string> choices;
@@ -213,9 +307,10 @@ namespace
     const std::string help = meant.empty()
                                ? "; allowed: "
                                : "; did you mean \"" + meant + "\"? Allowed: ";
+    const std::string why = why_no_number(assignment.value, entry);
     return assignment.origin + ": entry \"" + join(path, "/") +
-           "\" cannot be " + quotation(assignment.value) + help +
-           plain_words(description);
+           "\" cannot be " + quotation(assignment.value) +
+           (why.empty() ? "" : ": " + why) + help + plain_words(description);
   }
 
   void collect(const Tree &node,
@@ -258,17 +353,20 @@ void apply_assignments(const std::vector<Assignment> &assignments,
   Tree tree = tree_of(prm);
   for (const Assignment &assignment : with_declared_names(assignments, prm))
   {
+    if (is_of_pattern(assignment, tree))
+      continue;
     const Tree &entry = find_entry(assignment, prm, tree);
     const auto description = entry["pattern_description"].get<std::string>();
     for (const std::string &section : assignment.sections)
       prm.enter_subsection(section);
+    require_plain_letters(assignment, description);
     try
     {
       prm.set(assignment.entry, resolve_file(assignment, description));
     }
     catch (const ParameterHandler::ExcValueDoesNotMatchPattern &)
     {
-      throw InputError(refusal(assignment, description));
+      throw InputError(refusal(assignment, entry));
     }
     for (std::size_t i = 0; i < assignment.sections.size(); ++i)
       prm.leave_subsection();
@@ -307,11 +405,16 @@ std::map<std::string, std::string> parameter_values(const ParameterHandler &prm)
   return values;
 }
 
-std::string parameter_text(const ParameterHandler &prm, const bool annotated)
+std::string declared::text_of(const Tree &node, const bool annotated)
 {
   std::ostringstream text;
-  write_section(tree_of(prm), "", annotated, text);
+  write_section(node, "", annotated, text);
   return text.str();
+}
+
+std::string parameter_text(const ParameterHandler &prm, const bool annotated)
+{
+  return declared::text_of(tree_of(prm), annotated);
 }
 
 std::string plain_words(const std::string &pattern)

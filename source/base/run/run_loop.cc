@@ -70,7 +70,7 @@ RunStatus RunLoop::loop(RunState &state)
   begin_ = Clock::now();
   last_checkpoint_ = begin_;
   const auto &parameters = control_.parameters();
-  progress_ = std::make_unique<Progress>(parameters.end_time);
+  progress_ = std::make_unique<Progress>(state.time, parameters.end_time);
   if (state.step == 0)
     collective_.run([&]() { write_all(state); });
 

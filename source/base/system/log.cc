@@ -6,6 +6,7 @@
 #include <contrecoup/base/system/log_words.h>
 #include <contrecoup/base/system/text.h>
 
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -14,6 +15,18 @@
 
 namespace contrecoup
 {
+namespace
+{
+  /// Number of letters that a line of the terminal holds; large if unknown.
+  std::size_t terminal_width()
+  {
+    winsize size = {};
+    return ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0
+             ? size.ws_col
+             : std::string::npos;
+  }
+} // namespace
+
 // Under mpirun, stdout of the ranks is a terminal even if mpirun's own stdout
 // is a file, but stderr never is.
 Log::Log()
@@ -49,10 +62,15 @@ void Log::close()
   files_.resize(n_kept_);
   held_.clear();
   warnings_.clear();
+  if (!in_part_)
+    shown_warnings_.clear();
 }
 
-void Log::begin_part()
+void Log::begin_part(const std::string &name, const bool quiet)
 {
+  part_name_ = name.empty() ? "" : name + ": ";
+  in_part_ = true;
+  part_is_quiet_ = quiet;
   n_kept_ = files_.size();
   held_.clear();
   warnings_.clear();
@@ -62,6 +80,14 @@ void Log::end_part()
 {
   close();
   n_kept_ = 0;
+  part_name_.clear();
+  in_part_ = false;
+  part_is_quiet_ = false;
+}
+
+bool Log::is_in_part() const
+{
+  return in_part_;
 }
 
 void Log::set_verbose(const bool verbose)
@@ -69,24 +95,41 @@ void Log::set_verbose(const bool verbose)
   verbose_ = verbose;
 }
 
-void Log::line(const std::string &text)
+bool Log::is_verbose() const
+{
+  return verbose_;
+}
+
+bool Log::note_warning(const std::string &text)
 {
   static const std::string mark = "WARNING: ";
   const std::string words = trim(text);
-  const bool is_warning = words.compare(0, mark.size(), mark) == 0;
-  if (is_warning && active_)
-  {
-    const std::string warning = LogWords::of(words).substr(mark.size());
-    if (std::find(warnings_.begin(), warnings_.end(), warning) ==
-        warnings_.end())
-      warnings_.push_back(warning);
-  }
-  write(text, verbose_ || is_warning);
+  if (!active_ || words.compare(0, mark.size(), mark) != 0)
+    return false;
+  const std::string warning = LogWords::of(words).substr(mark.size());
+  if (std::find(warnings_.begin(), warnings_.end(), warning) == warnings_.end())
+    warnings_.push_back(warning);
+  return !part_is_quiet_ && shown_warnings_.insert(warning).second;
+}
+
+void Log::line(const std::string &text)
+{
+  const bool is_new_warning = note_warning(text);
+  write(text, verbose_ || is_new_warning);
 }
 
 void Log::show(const std::string &text)
 {
-  write(text, true);
+  const bool is_new_warning = note_warning(text);
+  write(text, verbose_ || is_new_warning || !in_part_);
+}
+
+void Log::progress(const std::string &text)
+{
+  if (!active_)
+    return;
+  clear_status();
+  std::cout << part_name_ << text << std::endl;
 }
 
 void Log::write(const std::string &line, const bool on_screen)
@@ -116,7 +159,8 @@ void Log::status(const std::string &text)
 {
   if (!active_ || !terminal_)
     return;
-  std::cout << "\r\033[K" << text << std::flush;
+  std::cout << "\r\033[K" << (part_name_ + text).substr(0, terminal_width() - 1)
+            << std::flush;
   status_shown_ = true;
 }
 

@@ -15,6 +15,7 @@
 #include <contrecoup/io/file/hex_mesh_files.h>
 #include <contrecoup/io/output/folder_claim.h>
 #include <contrecoup/io/output/pictures.h>
+#include <contrecoup/io/run/plan_table.h>
 
 #include <nlohmann/json.hpp>
 
@@ -57,20 +58,20 @@ namespace coupling
               return label != LabelGrid::outside;
             }));
         }
-        log_line("anatomy would mesh the " + parameters_.body.kind() + " of " +
-                 std::to_string(body_->parts().size()) + " part(s), " +
-                 told_box() + ",");
-        log_line("  in hexahedra of " + brief(parameters_.element_size) +
-                 " m out of a grid of " + std::to_string(grid.size[0]) + " x " +
-                 std::to_string(grid.size[1]) + " x " +
-                 std::to_string(grid.size[2]));
-        log_line("  about " + brief(cost.cells, 2) + " of them" +
-                 (parameters_.levels > 0 ? " before coarsening" : "") + ", " +
-                 bytes(cost.memory) + " of memory, " + duration(cost.seconds) +
-                 ", " + bytes(cost.output) + " on disk");
+        show_line("anatomy would mesh the " + parameters_.body.kind() + " of " +
+                  std::to_string(body_->parts().size()) + " part(s), " +
+                  told_box() + ",");
+        show_line("  in hexahedra of " + brief(parameters_.element_size) +
+                  " m out of a grid of " + std::to_string(grid.size[0]) +
+                  " x " + std::to_string(grid.size[1]) + " x " +
+                  std::to_string(grid.size[2]) +
+                  (parameters_.levels > 0 ? ", here before coarsening" : "") +
+                  ", with output in " + folder_ + ":");
+        for (const std::string &line : io::cost_lines({{"anatomy", cost}}))
+          show_line(line);
         for (const std::string &remark : body_->remarks())
-          log_line("  " + remark);
-        log_line("  output " + folder_);
+          show_line("  " + remark);
+        show_line("The parameters are valid.");
         return cost;
       }
 
@@ -96,10 +97,10 @@ namespace coupling
         SignalGuard::require_no_stop();
         claim.begin();
         start(parameter_text);
-        log_line("meshed the " + parameters_.body.kind() + ", " + told_box() +
-                 ", with " + std::to_string(mesh_.cells.size()) +
-                 " hexahedra and " + std::to_string(mesh_.nodes.size()) +
-                 " nodes in " + duration(meshed));
+        show_line("meshed the " + parameters_.body.kind() + ", " + told_box() +
+                  ", with " + std::to_string(mesh_.cells.size()) +
+                  " hexahedra and " + std::to_string(mesh_.nodes.size()) +
+                  " nodes in " + duration(meshed));
         for (const std::string &remark : body_->remarks())
           log_line("  " + remark);
         if (!mesh_.hanging_nodes.empty())
@@ -179,7 +180,7 @@ namespace coupling
       {
         write_text("parameters.prm", parameter_text);
         Log::instance().open(path("log.txt"), false);
-        log_line("anatomy " + version() + " (" + git_revision() + ")");
+        show_line("anatomy " + version() + " (" + git_revision() + ")");
       }
 
       void write_text(const std::string &name, const std::string &text) const
@@ -214,7 +215,7 @@ namespace coupling
         if (parameters_.draw)
           io::draw("anatomy", folder_, "pictures", "pictures");
         write_summary(report);
-        log_line("results in " + folder_ + " after " + duration(seconds()));
+        show_line("results in " + folder_ + " after " + duration(seconds()));
         Log::instance().check();
       }
 

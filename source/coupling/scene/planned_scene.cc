@@ -81,17 +81,18 @@ void PlannedScene::find_body(dealii::ParameterHandler &prm)
 }
 
 
-void PlannedScene::print() const
+void PlannedScene::print(const bool with_plan) const
 {
-  log_line("scene " + version() + " (" + git_revision() +
-           "): " + brief(parameters_.mass) + " kg of " +
-           parameters_.explosive.name + " before " + person_->description() +
-           ", " + distance_in_words(parameters_, *layout_) + ", " +
-           brief(layout_->charge[2]) + " m above the ground; cells of " +
-           brief(1e3 * layout_->cell_size()) + " mm at the skin" +
-           (parameters_.wants_injury()
-              ? ", elements of " + brief(1e3 * parameters_.element_size) + " mm"
-              : ""));
+  show_line(
+    "scene " + version() + " (" + git_revision() +
+    "): " + brief(parameters_.mass) + " kg of " + parameters_.explosive.name +
+    " before " + person_->description() + ", " +
+    distance_in_words(parameters_, *layout_) + ", " +
+    brief(layout_->charge[2]) + " m above the ground; cells of " +
+    brief(1e3 * layout_->cell_size()) + " mm at the skin" +
+    (parameters_.wants_injury()
+       ? ", elements of " + brief(1e3 * parameters_.element_size) + " mm"
+       : ""));
   if (person_->axes())
   {
     const double azimuth = std::round(person_->charge_azimuth());
@@ -101,21 +102,24 @@ void PlannedScene::print() const
              " of where the person faces");
   }
   const std::string equivalence = equivalence_in_words(parameters_.explosive);
-  log_line(layout_->is_far(parameters_)
-             ? "  expected in free air: the front reaches the body at " +
-                 brief(1e3 * layout_->arrival, 3) + " ms with " +
-                 brief(1e-3 * layout_->overpressure,
-                       layout_->overpressure < 1e6 ? 3 : 4) +
-                 " kPa" + (equivalence.empty() ? "" : " (" + equivalence + ")")
-             : "  the front reaches the body before it has swept the charge's "
-               "mass of air; what it has there is not known beforehand");
+  show_line(layout_->is_far(parameters_)
+              ? "  expected in free air: the front reaches the body at " +
+                  brief(1e3 * layout_->arrival, 3) + " ms with " +
+                  brief(1e-3 * layout_->overpressure,
+                        layout_->overpressure < 1e6 ? 3 : 4) +
+                  " kPa" + (equivalence.empty() ? "" : " (" + equivalence + ")")
+              : "  the front reaches the body before it has swept the charge's "
+                "mass of air; what it has there is not known beforehand");
   for (const ChangedEntry &change : parameters_.changes)
-    log_line("  changed: " + change.entry + " = " + change.value +
-             ", in the library " + change.before);
+    show_line("  changed: " + change.entry + " = " + change.value +
+              ", in the library " + change.before);
+  std::vector<std::string> details;
   for (const std::string &remark : body_->remarks())
-    log_line("  " + remark);
+    details.push_back("  " + remark);
   for (const std::string &line : io::plan_lines(plan_))
-    log_line(line);
+    details.push_back(line);
+  for (const std::string &line : details)
+    with_plan ? show_line(line) : log_line(line);
 }
 
 

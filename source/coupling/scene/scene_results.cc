@@ -12,11 +12,9 @@
 #include <contrecoup/io/file/checked_file.h>
 #include <contrecoup/io/run/plan_table.h>
 
-#include <boost/algorithm/string/replace.hpp>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <filesystem>
 
@@ -217,32 +215,6 @@ namespace
   }
 
 
-  /// A word as a shell takes it, in quotes if it needs them.
-  std::string quoted(const std::string &word)
-  {
-    const auto is_plain = [](const unsigned char c) {
-      return std::isalnum(c) || std::string("-_./=+:,@").find(c) < 9;
-    };
-    return std::all_of(word.begin(), word.end(), is_plain)
-             ? word
-             : "'" + boost::replace_all_copy(word, "'", "'\\''") + "'";
-  }
-
-
-  /// Command line that repeats the scene from any folder, without ranks.
-  std::string call_of(const io::CommandLine &command)
-  {
-    std::error_code ignored;
-    std::string call =
-      quoted(std::filesystem::read_symlink("/proc/self/exe", ignored)) + " " +
-      quoted(std::filesystem::absolute(command.parameter_file));
-    for (const std::string &text : command.overrides)
-      call += " --set " + quoted(text);
-    return call + " --output " +
-           quoted(std::filesystem::absolute(command.output_folder));
-  }
-
-
   /// Plan of the scene and of its blast.
   std::vector<Assumption> whole_plan(const PlannedScene &scene,
                                      const std::string &folder)
@@ -311,7 +283,7 @@ void write_scene(const PlannedScene &scene,
     {"coarser_run",
      {{"cell_ratio", CoarserRun::cell_ratio},
       {"element_ratio", CoarserRun::element_ratio}}},
-    {"command", call_of(command)},
+    {"command", io::repeating_command(command, n_ranks)},
     {"ranks", n_ranks},
     {"stages", task_rows(tasks, reused)},
     {"plan", plan_rows(plan)},

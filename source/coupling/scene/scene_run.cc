@@ -12,6 +12,7 @@
 #include <contrecoup/coupling/scene/scene_tasks.h>
 #include <contrecoup/io/file/checked_file.h>
 #include <contrecoup/io/output/pictures.h>
+#include <contrecoup/io/run/plan_table.h>
 
 #include <algorithm>
 #include <optional>
@@ -85,62 +86,80 @@ std::optional<CostEstimate> SceneRun::cost_of(SceneTask &task)
 }
 
 
-void SceneRun::print_costs()
+std::vector<std::pair<std::string, CostEstimate>> SceneRun::costs()
 {
-  CostEstimate total;
-  bool any_finished = false, any_left = false;
+  const LogPart part("forecast");
+  std::vector<std::pair<std::string, CostEstimate>> rows;
   for (SceneTask &task : tasks_)
   {
     if (task.is_finished())
-    {
-      log_line("stage " + task.name() + " is finished in " + task.folder());
-      any_finished = true;
       continue;
-    }
     log_line("stage " + task.name() + ":");
     const std::optional<CostEstimate> cost = cost_of(task);
     if (!cost)
       break;
-    any_left = true;
-    total.seconds += cost->seconds;
-    total.memory = std::max(total.memory, cost->memory);
-    total.output += cost->output;
+    rows.emplace_back(task.name(), *cost);
   }
-  if (scene_->parameters().draws_report)
-  {
-    log_line("pictures and report: wall time about " +
-             duration(drawing_seconds) + ", output about " +
-             bytes(report_bytes));
-    total.seconds += drawing_seconds;
-    total.output += report_bytes;
-  }
-  if (!any_left)
-    return;
-  show_line(std::string(any_finished ? "what is left" : "all stages") +
-            ", one after the other: wall time about " +
-            duration(total.seconds) + " by a calibration on this machine" +
-            ", memory about " + bytes(total.memory) + ", output about " +
-            bytes(total.output) + " in " + command_.output_folder);
+  if (rows.empty() || !scene_->parameters().draws_report)
+    return rows;
+  CostEstimate drawing;
+  drawing.seconds = drawing_seconds;
+  drawing.output = report_bytes;
+  rows.emplace_back("report", drawing);
+  return rows;
 }
 
 
 void SceneRun::check()
 {
-  scene_->print();
+  scene_->print(true);
   for (SceneTask &task : tasks_)
     task.inspect(collective_);
-  print_costs();
+  for (const SceneTask &task : tasks_)
+    if (task.is_finished())
+      show_line("stage " + task.name() + " is finished in " + task.folder());
+  const auto rows = costs();
+  if (rows.empty())
+    return;
+  show_line("scene would run " + command_.parameter_file +
+            " stage by stage, with output in " + command_.output_folder + ":");
+  for (const std::string &line : io::cost_lines(rows))
+    show_line(line);
+  show_line("The parameters are valid.");
+}
+
+
+void SceneRun::show_stages(
+  const std::vector<std::pair<std::string, CostEstimate>> &costs) const
+{
+  CostEstimate total;
+  for (const auto &[name, cost] : costs)
+  {
+    total.seconds += cost.seconds;
+    total.memory = std::max(total.memory, cost.memory);
+    total.output += cost.output;
+  }
+  std::vector<std::string> names;
+  for (const SceneTask &task : tasks_)
+    names.push_back(task.name() +
+                    (task.is_finished() ? " (finished before)" : ""));
+  show_line("  stages: " + join(names, ", ") +
+            (total.memory > 0. ? "; about " + duration(total.seconds) + ", " +
+                                   bytes(total.memory) + " of memory, " +
+                                   bytes(total.output) + " on disk"
+                               : ""));
 }
 
 
 void SceneRun::forecast()
 {
-  const LogPart part;
   if (scene_->parameters().has_forecast)
   {
-    print_costs();
+    show_stages(costs());
     return;
   }
+  show_stages({});
+  const LogPart part;
   // What a later stage refuses is better known before the first one.
   const Silence silence(is_first_rank_);
   for (SceneTask &task : tasks_)
@@ -155,7 +174,13 @@ bool SceneRun::claim()
     if (!is_first_rank_)
       return;
     io::FileNames names = {{"parameters.prm", "scene.json"},
-                           {"log.txt", "report.html", "report.html.new"}};
+                           {"log.txt",
+                            "report.html",
+                            "report.html.new",
+                            "report.json",
+                            "report.json.new",
+                            "headline.txt",
+                            "headline.txt.new"}};
     for (const SceneTask &task : tasks_)
       names = names + TaskFiles::names(task.name());
     claim_ = std::make_unique<io::FolderClaim>(
@@ -257,9 +282,9 @@ bool SceneRun::may_proceed() const
   }
   if (command_.resume && others.empty())
     return true;
-  log_line("finished before, nothing is done: \"" + command_.output_folder +
-           "\" holds the results" + others +
-           "; --resume makes the report again, --overwrite computes all anew");
+  show_line("finished before, nothing is done: \"" + command_.output_folder +
+            "\" holds the results" + others +
+            "; --resume makes the report again, --overwrite computes all anew");
   return false;
 }
 
@@ -286,8 +311,8 @@ void SceneRun::start()
     else
     {
       if (command_.overwrite && claim_->manifest().exists())
-        log_line("--overwrite " + list_unfinished_tasks() +
-                 "; what was there before goes when the new is complete");
+        show_line("--overwrite " + list_unfinished_tasks() +
+                  "; what was there before goes when the new is complete");
       claim_->resume();
     }
     io::write_file(path("parameters.prm"), [&](std::ostream &out) {
@@ -302,7 +327,8 @@ void SceneRun::start()
 
 SceneRun::TaskEnd SceneRun::run(SceneTask &task)
 {
-  const LogPart part;
+  const LogPart part(task.name(), task.is_optional());
+  Log::instance().status("begins");
   TaskEnd end;
   try
   {
@@ -336,7 +362,9 @@ bool SceneRun::run_tasks()
       reused_.push_back(task.name());
       continue;
     }
-    log_line("stage " + task.name() + ":");
+    log_line(
+      "stage " + task.name() +
+      (task.is_optional() ? ", for the estimate of the error alone:" : ":"));
     const TaskEnd end = run(task);
     if (end.failure.code != ExitCode::done)
     {
@@ -346,14 +374,16 @@ bool SceneRun::run_tasks()
     }
     if (!end.is_finished)
     {
-      log_line("stopped in stage " + task.name() +
-               "; --resume goes on from there");
+      show_line("stopped in stage " + task.name() +
+                "; --resume goes on from there");
       return false;
     }
     const TaskRecord &record = task.record();
-    log_line("stage " + task.name() + " took " + duration(record.wall_seconds) +
-             ", " + bytes(record.peak_memory) + " of memory, " +
-             bytes(record.disk) + " on disk");
+    const std::string took = "stage " + task.name() + " took " +
+                             duration(record.wall_seconds) + ", " +
+                             bytes(record.peak_memory) + " of memory, " +
+                             bytes(record.disk) + " on disk";
+    task.is_optional() ? log_line(took) : show_line(took);
   }
   return true;
 }
@@ -390,7 +420,7 @@ void SceneRun::execute()
 
 void SceneRun::run_all()
 {
-  scene_->print();
+  scene_->print(false);
   std::vector<std::string> warnings = Log::instance().warnings();
   if (!command_.resume)
     forecast();
@@ -427,7 +457,7 @@ void SceneRun::write_report()
 {
   if (scene_->parameters().draws_report)
     io::draw("report", command_.output_folder, "report", "report.html");
-  log_line("results in " + command_.output_folder);
+  show_line("results in " + command_.output_folder);
   Log::instance().check();
 }
 } // namespace contrecoup::coupling

@@ -127,7 +127,7 @@ SceneTask::Status SceneTask::find_status()
     status.is_finished = damage.empty() && now.key == key;
     status.has_other_key = damage.empty() && now.key != key;
     if (!damage.empty())
-      log_line("stage " + name_ + " has to be made anew: " + damage);
+      show_line("stage " + name_ + " has to be made anew: " + damage);
   }
   status.uses_new_folder = was_finished;
   const TaskRecord &begun = was_finished ? beside : now;

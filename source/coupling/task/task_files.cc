@@ -133,8 +133,8 @@ TaskRecord TaskFiles::read_record(const bool uses_new_folder) const
   }
   catch (const Json::exception &)
   {
-    log_line("\"" + record_file(uses_new_folder) +
-             "\" is damaged; the stage counts as not begun");
+    show_line("\"" + record_file(uses_new_folder) +
+              "\" is damaged; the stage counts as not begun");
     return {};
   }
 }
@@ -225,7 +225,7 @@ void TaskFiles::clear_old() const
     remove_empty(old);
   }
   if (exists(old))
-    log_line("note: \"" + old +
-             "\" keeps files that Contrecoup has not written");
+    show_line("note: \"" + old +
+              "\" keeps files that Contrecoup has not written");
 }
 } // namespace contrecoup::coupling

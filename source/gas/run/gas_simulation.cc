@@ -96,7 +96,7 @@ void GasSimulation<dim>::setup()
 {
   const auto report = core_.set_up();
   if (!scene_.charges.empty())
-    log_line(scene_.charges.description());
+    show_line(scene_.charges.description());
   for (const std::string &line : report)
     log_line(line);
   const auto gas = core_.snapshot();
@@ -163,7 +163,7 @@ std::vector<NamedValue> GasSimulation<dim>::errors()
 {
   const auto gas = core_.snapshot();
   for (const auto &line : recorders_.collect(&Recorder<dim>::report, gas))
-    log_line(line);
+    show_line(line);
   auto values = recorders_.collect(&Recorder<dim>::errors, gas);
   if (scene_.reference.is_measured())
     for (const auto &value : gas_errors(gas.mesh,

@@ -354,8 +354,11 @@ namespace io
                cache.file());
       return known.value_or(rough);
     }
-    log_line("Calibrating by trial runs on coarser meshes, some " +
-             brief(budget) + " s ...");
+    const std::string trials =
+      "Calibrating by trial runs on coarser meshes, some " + brief(budget) +
+      " s ...";
+    log_line(trials);
+    Log::instance().status(trials);
     const CostEstimate cost =
       forecast_cost(description, prm, rough, budget, collective);
     if (first)

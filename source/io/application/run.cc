@@ -96,36 +96,30 @@ namespace io
       cached_or_forecast_cost(description_, prm_, estimate(), collective_);
     if (description_.on_cost_estimate)
       description_.on_cost_estimate(cost);
-    log_line(
+    show_line(
       description_.name + " would run" +
       (description_.on_cost_estimate ? "" : " " + command_.parameter_file) +
-      ":");
-    log_line("  cells     " + brief(cost.cells, 7));
-    log_line("  unknowns  " + brief(cost.unknowns, 7));
-    log_line("  steps     about " + brief(cost.steps, 3) + " to time " +
-             brief(time_.end_time, 6) + " s");
-    log_line("  memory    about " + bytes(cost.memory));
-    log_line("  wall time about " + duration(cost.seconds));
-    log_line("  output    " +
-             (cost.output > 0. ? "about " + bytes(cost.output) + " in " : "") +
-             folder_.path());
+      " to time " + brief(time_.end_time, 6) + " s, with output in " +
+      folder_.path() + ":");
+    for (const std::string &line : cost_lines({{description_.name, cost}}))
+      show_line(line);
     // A scene has a plan of its own.
     if (!description_.on_cost_estimate)
     {
       collective_.run([&]() { plan_ = simulation_.plan(); });
       for (const std::string &line : plan_lines(plan_))
-        log_line(line);
+        show_line(line);
     }
-    log_line("The parameters are valid.");
+    show_line("The parameters are valid.");
   }
 
   void Run::prepare()
   {
     const unsigned int ranks =
       dealii::Utilities::MPI::n_mpi_processes(collective_.communicator());
-    log_line(description_.name + " " + version() + " (" + git_revision() +
-             "), " + std::to_string(ranks) +
-             (ranks == 1 ? " rank, " : " ranks, ") + command_.parameter_file);
+    show_line(description_.name + " " + version() + " (" + git_revision() +
+              "), " + std::to_string(ranks) +
+              (ranks == 1 ? " rank, " : " ranks, ") + command_.parameter_file);
     const TimerScope timer("setup");
     simulation_.set_output_folder(folder_.path());
     if (command_.resume)
@@ -141,9 +135,9 @@ namespace io
       state_ = folder_.resume();
       updates_before_ = state_.updates;
       resumed_from_ = state_.step;
-      log_line("resumed from " + checkpoint + ", step " +
-               std::to_string(state_.step) + ", time " + brief(state_.time, 6) +
-               " s");
+      show_line("resumed from " + checkpoint + ", step " +
+                std::to_string(state_.step) + ", time " +
+                brief(state_.time, 6) + " s");
     }
     else
     {
@@ -151,9 +145,9 @@ namespace io
       folder_.start();
     }
     const auto size = simulation_.size();
-    log_line(std::to_string(size.first) + " cells, " +
-             std::to_string(size.second) + " unknowns; output in " +
-             folder_.path());
+    show_line(std::to_string(size.first) + " cells, " +
+              std::to_string(size.second) + " unknowns; output in " +
+              folder_.path());
     collective_.run([&]() { plan_ = simulation_.plan(); });
     for (const std::string &line : plan_lines(plan_))
       log_line(line);
@@ -233,17 +227,17 @@ namespace io
         summary.audit = simulation_.audit();
       });
     log_line(Timers::instance().table(all, summary.wall_seconds));
-    log_line(status + " at step " + std::to_string(state_.step) + ", time " +
-             brief(state_.time, 6) + " s, after " +
-             duration(summary.wall_seconds) +
-             (message.empty() ? "" : ": " + message));
+    show_line(status + " at step " + std::to_string(state_.step) + ", time " +
+              brief(state_.time, 6) + " s, after " +
+              duration(summary.wall_seconds) +
+              (message.empty() ? "" : ": " + message));
     for (const NamedValue &error : summary.errors)
-      log_line("  " + error.name + " = " + brief(error.value, 6));
+      show_line("  " + error.name + " = " + brief(error.value, 6));
     for (const std::string &line : audit_lines(plan_, summary.audit))
       log_line(line);
     summary.warnings = Log::instance().warnings();
     folder_.write_text("summary.json", to_text(summary));
-    log_line("results in " + folder_.path());
+    show_line("results in " + folder_.path());
     collective_.run([]() { Log::instance().check(); });
   }
 

@@ -196,7 +196,7 @@ namespace io
           {
             found = {path, read_file(path + "/" + run_file)};
             if (!first_damage.empty())
-              log_line(first_damage + "; using \"" + path + "\"");
+              show_line(first_damage + "; using \"" + path + "\"");
             return;
           }
           if (first_damage.empty())

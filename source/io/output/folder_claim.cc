@@ -136,12 +136,12 @@ namespace io
       if (!damage.empty())
         throw InputError(here + "this run, but " + damage +
                          "; --overwrite computes it anew");
-      log_line("finished before, nothing is done: \"" + folder_ +
-               "\" holds the results; " +
-               (can_resume && can_resume()
-                  ? "--resume goes on from there (with " + more + "), "
-                  : "") +
-               "--overwrite computes all anew");
+      show_line("finished before, nothing is done: \"" + folder_ +
+                "\" holds the results; " +
+                (can_resume && can_resume()
+                   ? "--resume goes on from there (with " + more + "), "
+                   : "") +
+                "--overwrite computes all anew");
       return false;
     }
     if (manifest_.application() != application_)
@@ -157,10 +157,10 @@ namespace io
   {
     const auto files = manifest_.own_files();
     if (!files.empty())
-      log_line("removing what the earlier run (" + manifest_.application() +
-               ", " + manifest_.status() + ") left in " + folder_ + ": " +
-               std::to_string(files.size()) + " files, " +
-               bytes(size_of(folder_, files)) + " (" + list_text(files) + ")");
+      show_line("removing what the earlier run (" + manifest_.application() +
+                ", " + manifest_.status() + ") left in " + folder_ + ": " +
+                std::to_string(files.size()) + " files, " +
+                bytes(size_of(folder_, files)) + " (" + list_text(files) + ")");
     manifest_.begin(application_, names_, input_);
     made_.clear();
   }

@@ -100,8 +100,9 @@ namespace io
                                           : trim(content.substr(mark.size()))) +
                          "; wait for it, or give another folder");
       }
-      log_line("note: the file system of \"" + folder + "\" has no locks (" +
-               std::strerror(reason) + "): nothing keeps two runs apart there");
+      show_line("note: the file system of \"" + folder + "\" has no locks (" +
+                std::strerror(reason) +
+                "): nothing keeps two runs apart there");
     }
     if (!has_name(descriptor_, file_))
       return false;

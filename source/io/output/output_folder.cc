@@ -102,8 +102,12 @@ namespace io
   {
     const auto found = checkpoints_.newest();
     if (!found)
-      throw InputError("--resume: \"" + path_ +
-                       "\" holds no complete checkpoint");
+      throw InputError(
+        "--resume: \"" + path_ + "\" holds no complete checkpoint" +
+        (claim_ && claim_->manifest().status() == "finished"
+           ? "; a finished run can go on to a later end if it was run with "
+             "Output/Checkpoint at the end = true"
+           : ""));
     const RunDescription earlier = from_text(found->run);
     if (earlier.application != run_.application)
       throw InputError("\"" + found->folder + "\" is a checkpoint of \"" +
@@ -129,8 +133,8 @@ namespace io
                        " s already; --resume needs a later end, --overwrite "
                        "begins anew");
     if (!builds.empty())
-      log_line(builds + ": what follows may differ from what it would have "
-                        "computed");
+      show_line(builds + ": what follows may differ from what it would have "
+                         "computed");
     const auto parameters = run_.parameters;
     run_ = earlier;
     run_.parameters = parameters;

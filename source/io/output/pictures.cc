@@ -2,12 +2,14 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/system/log.h>
+#include <contrecoup/base/system/shell_word.h>
 #include <contrecoup/io/output/pictures.h>
 
-#include <boost/algorithm/string/replace.hpp>
-
-#include <cstdlib>
+#include <cstdio>
 #include <filesystem>
+#include <sstream>
+#include <utility>
+#include <vector>
 
 namespace contrecoup
 {
@@ -15,11 +17,41 @@ namespace io
 {
   namespace
   {
-    /// Quotes a word for the shell.
-    std::string quoted(const std::string &text)
+    /// What a command prints, and whether it succeeds.
+    std::pair<std::string, bool> output_of(const std::string &command)
     {
-      return "'" + boost::replace_all_copy<std::string>(text, "'", "'\\''") +
-             "'";
+      FILE *stream = popen(command.c_str(), "r");
+      if (stream == nullptr)
+        return {"", false};
+      std::string text;
+      char part[512];
+      while (std::fgets(part, sizeof(part), stream) != nullptr)
+        text += part;
+      return {text, pclose(stream) == 0};
+    }
+
+    /// Lines that begin with two spaces: the first paragraphs that a screen has
+    /// room for. Further lines of a paragraph begin with more spaces.
+    std::vector<std::string> answer_of(const std::string &printed)
+    {
+      constexpr std::size_t most_lines = 10;
+      std::vector<std::string> answer;
+      std::size_t n_whole = 0;
+      std::istringstream lines(printed);
+      for (std::string line; std::getline(lines, line);)
+      {
+        if (line.compare(0, 2, "  ") != 0)
+          continue;
+        if (line.compare(0, 3, "   ") != 0)
+          n_whole = answer.size();
+        if (answer.size() == most_lines)
+        {
+          answer.resize(n_whole);
+          return answer;
+        }
+        answer.push_back(line);
+      }
+      return answer;
     }
   } // namespace
 
@@ -39,12 +71,15 @@ namespace io
             const std::string &what,
             const std::string &where)
   {
-    const std::string program = quoted(plot_program()) + " " + picture_command;
-    const std::string command =
-      program + " " + quoted(folder) + " > /dev/null 2>&1";
-    log_line(std::system(command.c_str()) == 0
-               ? what + " in " + folder + "/" + where
-               : "no " + what + ": " + program + " failed");
+    Log::instance().status("drawing the " + what);
+    const std::string program =
+      shell_word(plot_program()) + " " + picture_command;
+    const auto [printed, works] =
+      output_of(program + " " + shell_word(folder) + " 2> /dev/null");
+    for (const std::string &line : answer_of(printed))
+      show_line(line);
+    show_line(works ? what + " in " + folder + "/" + where
+                    : "WARNING: no " + what + ": " + program + " failed");
   }
 } // namespace io
 } // namespace contrecoup

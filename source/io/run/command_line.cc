@@ -2,9 +2,11 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/parameters/parameter_names.h>
+#include <contrecoup/base/parameters/parameter_search.h>
 #include <contrecoup/base/parameters/parameter_tree.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/log.h>
+#include <contrecoup/base/system/shell_word.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/base/system/version.h>
 #include <contrecoup/io/run/command_line.h>
@@ -26,6 +28,7 @@ namespace io
                                               "--check",
                                               "--estimate",
                                               "--print-parameters",
+                                              "--verbose",
                                               "--help",
                                               "--version"};
 
@@ -52,6 +55,8 @@ namespace io
         command.estimate = true;
       else if (option == "--print-parameters")
         command.print_parameters = true;
+      else if (option == "--verbose")
+        command.verbose = true;
       else if (option == "--help" || option == "-h")
         command.help = true;
       else if (option == "--version")
@@ -61,8 +66,21 @@ namespace io
                          suggestion(option, options));
     }
 
+    bool is_file_name(const std::string &word)
+    {
+      std::error_code ignored;
+      return std::filesystem::path(word).extension() == ".prm" ||
+             std::filesystem::is_regular_file(word, ignored);
+    }
+
     void accept_file(const std::string &file, CommandLine &command)
     {
+      if (command.print_parameters && command.wanted_parameters.empty() &&
+          !is_file_name(file))
+      {
+        command.wanted_parameters = file;
+        return;
+      }
       if (!command.parameter_file.empty())
         throw InputError("two parameter files are given, \"" +
                          command.parameter_file + "\" and \"" + file +
@@ -113,6 +131,9 @@ namespace io
     const bool writes_output)
   {
     const auto commands = single_commands(arguments);
+    Log::instance().set_verbose(std::find(arguments.begin(),
+                                          arguments.end(),
+                                          "--verbose") != arguments.end());
     int code = 0;
     for (const std::vector<std::string> &command : commands)
     {
@@ -181,29 +202,35 @@ namespace io
                         const std::string &purpose,
                         const std::string &parallel)
   {
+    const std::string estimate =
+      "  --estimate          prints a first answer from tables, without a run\n";
     return application + ": " + purpose + "\n\n  " + application +
            " FILE.prm [options]\n  " + application +
            " --check FILE.prm FILE.prm ... [options]\n\n"
            "  --set \"Section/Subsection/Entry=value\"\n"
-           "                      overrides one entry of the file; any "
-           "number of times\n"
-           "  --output DIR        the output folder "
-           "(default: output/" +
+           "                      overrides one entry of the file; any number "
+           "of times\n"
+           "  --output DIR        the output folder (default: output/" +
            application +
-           "/<name of FILE>)\n  --resume            goes on from the last "
-           "complete checkpoint there\n  --overwrite         begins anew "
-           "and removes what an earlier run left there\n  "
-           "--check             says what would be run and what it would "
+           "/<name of FILE>)\n"
+           "  --resume            goes on from the last complete checkpoint "
+           "there\n"
+           "  --overwrite         begins anew and removes what an earlier run "
+           "left there\n"
+           "  --check             says what would be run and what it would "
            "cost\n" +
-           (application == "scene"
-              ? "  --estimate          prints a first answer from tables, "
-                "without a run\n"
-              : "") +
-           "  --print-parameters  prints all entries with meaning, "
-           "allowed values, default\n  --help              prints this\n  "
-           "--version           prints version and git revision\n\nExit "
-           "codes: 0 done, 1 bad input, 2 the numerics failed, 3 the system "
-           "failed;\n130, 143, 138 stopped by Ctrl-C, SIGTERM, SIGUSR1, "
+           (application == "scene" ? estimate : "") +
+           "  --print-parameters [WORD]\n"
+           "                      prints all entries with meaning, allowed "
+           "values, default;\n"
+           "                      with WORD a section, such as Time or "
+           "Output, or\n"
+           "                      the entries whose name or meaning has it\n"
+           "  --verbose           shows on the screen what log.txt gets\n"
+           "  --help              prints this\n"
+           "  --version           prints version and git revision\n\n"
+           "Exit codes: 0 done, 1 bad input, 2 the numerics failed, 3 the "
+           "system failed;\n130, 143, 138 stopped by Ctrl-C, SIGTERM, SIGUSR1, "
            "with a checkpoint to go on\nfrom.\n" +
            parallel;
   }
@@ -226,7 +253,10 @@ namespace io
     std::string text = "# " + application + ": " + purpose + "\n";
     for (const std::string &line : assign(command, prm))
       text += "# " + line + "\n";
-    return text + "\n" + parameter_text(prm, true);
+    const std::string &wanted = command.wanted_parameters;
+    return text + "\n" +
+           (wanted.empty() ? parameter_text(prm, true)
+                           : find_parameters(prm, wanted));
   }
 
   void print_requested(const std::string &text)
@@ -241,7 +271,25 @@ namespace io
                        dealii::ParameterHandler &prm)
   {
     for (const std::string &line : assign(command, prm))
-      log_line(line);
+      show_line(line);
+  }
+
+
+  std::string repeating_command(const CommandLine &command,
+                                const unsigned int ranks)
+  {
+    std::error_code ignored;
+    const std::string program =
+      std::filesystem::read_symlink("/proc/self/exe", ignored).string();
+    std::string text =
+      "cd " + shell_word(std::filesystem::current_path(ignored).string()) +
+      " && ";
+    if (ranks > 1)
+      text += "mpirun -np " + std::to_string(ranks) + " ";
+    text += shell_word(program) + " " + shell_word(command.parameter_file);
+    for (const std::string &override : command.overrides)
+      text += " --set " + shell_word(override);
+    return text + " --output " + shell_word(command.output_folder);
   }
 
 

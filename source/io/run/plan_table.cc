@@ -54,6 +54,20 @@ namespace io
       return lines;
     }
 
+    Row cost_row(const std::string &name, const CostEstimate &cost)
+    {
+      const auto told = [](const double value, const std::string &text) {
+        return value > 0. ? text : "";
+      };
+      return {name,
+              told(cost.cells, brief(cost.cells, 7)),
+              told(cost.unknowns, brief(cost.unknowns, 7)),
+              told(cost.steps, brief(cost.steps, 3)),
+              told(cost.memory, bytes(cost.memory)),
+              told(cost.seconds, duration(cost.seconds)),
+              told(cost.output, bytes(cost.output))};
+    }
+
     std::string warning(const Assumption &item, const std::string &kind)
     {
       return "WARNING: " + item.name + ": " + item.quantity + " is " + kind +
@@ -61,6 +75,24 @@ namespace io
              limit(item) + (item.entry.empty() ? "" : "; see " + item.entry);
     }
   } // namespace
+
+  std::vector<std::string>
+  cost_lines(const std::vector<std::pair<std::string, CostEstimate>> &costs)
+  {
+    std::vector<Row> rows = {
+      {"", "cells", "unknowns", "steps", "memory", "wall time", "output"}};
+    CostEstimate sum;
+    for (const auto &[name, cost] : costs)
+    {
+      rows.push_back(cost_row(name, cost));
+      sum.memory = std::max(sum.memory, cost.memory);
+      sum.seconds += cost.seconds;
+      sum.output += cost.output;
+    }
+    if (costs.size() > 1)
+      rows.push_back(cost_row("all", sum));
+    return aligned(rows);
+  }
 
   const Assumption *find_assumption(const std::vector<Assumption> &items,
                                     const std::string &name)

@@ -39,7 +39,8 @@ class Case:
     def folder(self, name):
         return os.path.join(self.options.name, name)
 
-    def command(self, output, extra=(), ranks=None, file=None, program=None):
+    def command(self, output, extra=(), ranks=None, file=None, program=None,
+                verbose=True):
         """Of several overrides of an entry the last one is handed on."""
         ranks = ranks or self.options.mpi
         command = []
@@ -57,6 +58,8 @@ class Case:
             command += ["--set", override]
         if output is not None:
             command += ["--output", output]
+        if verbose:
+            command.append("--verbose")
         return command + words
 
     def start(self, *arguments, preexec_fn=None, cwd=None, **keywords):

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-/// Subsections and entries as declared in deal.II, for parameter_tree.cc and
-/// parameter_names.cc.
+/// Subsections and entries as declared in deal.II, for parameter_tree.cc,
+/// parameter_names.cc and parameter_search.cc.
 namespace contrecoup::declared
 {
 using Tree = nlohmann::ordered_json;
@@ -30,6 +30,9 @@ std::vector<std::string> names(const Tree &node, bool entries);
 
 /// The pattern subsection that matches @p section, or an empty string.
 std::string pattern_of(const Tree &node, const std::string &section);
+
+/// Text of a parameter file with these nodes, see parameter_text().
+std::string text_of(const Tree &node, bool annotated);
 
 /// The part of a pattern description between two marks.
 std::string between(const std::string &text,

@@ -4,15 +4,16 @@
 #pragma once
 
 #include <fstream>
+#include <set>
 #include <string>
 #include <vector>
 
 namespace contrecoup
 {
-/// Output for the user. log.txt gets every line; the screen gets warnings, the
-/// lines of show(), the others if verbose, and on a terminal one redrawn status
-/// line. A warning is a line that begins with "WARNING: ". Silent on all ranks
-/// except the first.
+/// Output for the user. log.txt gets every line; the screen gets each warning
+/// once, the lines of show(), all lines if verbose, and on a terminal one
+/// redrawn status line. A warning is a line that begins with "WARNING: ".
+/// Silent on all ranks except the first.
 class Log
 {
 public:
@@ -31,18 +32,28 @@ public:
   void close();
 
   /// Begins and ends a part of the run that opens a log file of its own: the
-  /// open files stay open beside it. Parts are not nested. See LogPart.
-  void begin_part();
+  /// open files stay open beside it. What a part shows is a detail of the
+  /// whole, and so are its warnings if it is @p quiet. Parts are not nested.
+  /// See LogPart.
+  /// @param name precedes lines of progress
+  void begin_part(const std::string &name, bool quiet);
   void end_part();
+
+  bool is_in_part() const;
 
   /// Whether the screen gets all lines. True from the start.
   void set_verbose(bool verbose);
+  bool is_verbose() const;
 
   /// Writes a line of detail, or a warning. Never throws; see check().
   void line(const std::string &text);
 
-  /// Writes a line that the screen always gets. Never throws; see check().
+  /// Writes a line that the screen gets, unless it is one of a part. Never
+  /// throws; see check().
   void show(const std::string &text);
+
+  /// Writes a line of progress on the screen alone.
+  void progress(const std::string &text);
 
   /// Warnings since the last close(), begin_part() or end_part(), in order,
   /// without "WARNING: " and each once; empty where not active.
@@ -54,7 +65,8 @@ public:
   /// @throws SystemError when a line could not be written (disk full)
   void check() const;
 
-  /// Redraws the status line; no effect unless on_terminal().
+  /// Redraws the status line, cut at the width of the terminal; no effect
+  /// unless on_terminal().
   void status(const std::string &text);
 
   /// Whether the screen is a terminal on which a line can be redrawn.
@@ -63,12 +75,17 @@ public:
 private:
   Log();
   void clear_status();
+  bool note_warning(const std::string &text);
   void write(const std::string &text, bool on_screen);
 
   std::vector<std::ofstream> files_;
   std::size_t n_kept_ = 0; ///< first files that close() leaves open
   std::string held_;       ///< lines for the file that is opened next
   std::vector<std::string> warnings_;
+  std::set<std::string> shown_warnings_; ///< by this process, on the screen
+  std::string part_name_;
+  bool in_part_ = false;
+  bool part_is_quiet_ = false;
   bool active_ = true;
   bool verbose_ = true;
   bool terminal_ = false;
@@ -79,9 +96,9 @@ private:
 class LogPart
 {
 public:
-  LogPart()
+  explicit LogPart(const std::string &name = "", const bool quiet = false)
   {
-    Log::instance().begin_part();
+    Log::instance().begin_part(name, quiet);
   }
   ~LogPart()
   {

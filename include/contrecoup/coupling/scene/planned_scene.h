@@ -73,8 +73,9 @@ public:
     return plan_;
   }
 
-  /// Logs layout and plan.
-  void print() const;
+  /// Shows the layout, and remarks and plan too if @p with_plan; else these
+  /// are details.
+  void print(bool with_plan) const;
 
   /// What tables alone tell, as lines for the screen.
   std::vector<std::string> first_answer() const;

@@ -10,6 +10,8 @@
 
 #include <memory>
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace contrecoup::coupling
 {
@@ -34,9 +36,11 @@ public:
 private:
   /// Cost estimate of a task; nothing where an optional one cannot be run.
   std::optional<CostEstimate> cost_of(SceneTask &task);
-  /// Prints the cost estimates of the unfinished tasks, of drawing, and their
-  /// sum.
-  void print_costs();
+  /// Cost estimates of the unfinished tasks and of the report.
+  std::vector<std::pair<std::string, CostEstimate>> costs();
+  /// Says which tasks a run has and what they cost.
+  void show_stages(
+    const std::vector<std::pair<std::string, CostEstimate>> &costs) const;
   /// Checks all stages before the first one begins, with cost estimates if the
   /// scene wants them.
   void forecast();

@@ -27,15 +27,18 @@ namespace io
     bool check = false;
     bool estimate = false; ///< of scene only
     bool print_parameters = false;
+    std::string wanted_parameters; ///< section or word; empty: all
+    bool verbose = false;
     bool help = false;
     bool version = false;
   };
 
   /**
    * Parses `FILE.prm [--set "Section/Entry=value"]... [--output DIR]
-   * [--resume] [--overwrite] [--check] [--estimate] [--print-parameters]
-   * [--help] [--version]`, `--estimate` for "scene" only; also accepts
-   * `--set=...` and `--output=...`. Without
+   * [--resume] [--overwrite] [--check] [--estimate] [--print-parameters
+   * [WORD]] [--verbose] [--help] [--version]`, `--estimate` for "scene" only;
+   * also accepts `--set=...` and `--output=...`. With `--print-parameters` a
+   * word that is neither a file nor ends in ".prm" is the WORD. Without
    * `--output` the folder is output/<application>/<name of the file>.
    * @throws InputError for an unknown option, suggesting the nearest one, or
    * when a required parameter file is missing
@@ -53,7 +56,8 @@ namespace io
   /**
    * Runs @p work for each of single_commands(), one after the other; with
    * several files, prints each file's name first. Writes one line to stderr
-   * for each failure. A stop signal ends all of them.
+   * for each failure. A stop signal ends all of them. The screen gets all
+   * lines with `--verbose` alone.
    * @param writes_output whether this process writes output
    * @return the largest exit code
    */
@@ -83,6 +87,10 @@ namespace io
   /// Writes such a text to standard output.
   /// @throws SystemError when writing fails
   void print_requested(const std::string &text);
+
+  /// Line for a shell that repeats the run, from this working folder.
+  /// @param ranks number of processes
+  std::string repeating_command(const CommandLine &command, unsigned int ranks);
 
   /// Assignments of parameter file and overrides, with names as declared in @p
   /// prm. @throws InputError when the file cannot be read

@@ -6,6 +6,7 @@
 #include <contrecoup/base/run/simulation.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace contrecoup
@@ -21,6 +22,12 @@ namespace io
   /// for each measurement beyond its limit.
   std::vector<std::string> audit_lines(const std::vector<Assumption> &plan,
                                        const std::vector<Assumption> &audit);
+
+  /// A table of what runs are expected to cost, with a heading, a row for each,
+  /// and one for all of them, one after the other, if there are several. What
+  /// is 0 or not a number is unknown.
+  std::vector<std::string>
+  cost_lines(const std::vector<std::pair<std::string, CostEstimate>> &costs);
 
   /// The assumption with this name, or nullptr.
   const Assumption *find_assumption(const std::vector<Assumption> &items,
