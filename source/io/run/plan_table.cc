@@ -56,12 +56,16 @@ namespace io
 
     Row cost_row(const std::string &name, const CostEstimate &cost)
     {
+      const auto whole = [](const double value) {
+        return value < 1e15 ? std::to_string(std::llround(value))
+                            : brief(value);
+      };
       const auto told = [](const double value, const std::string &text) {
         return value > 0. ? text : "";
       };
       return {name,
-              told(cost.cells, brief(cost.cells, 7)),
-              told(cost.unknowns, brief(cost.unknowns, 7)),
+              told(cost.cells, whole(cost.cells)),
+              told(cost.unknowns, whole(cost.unknowns)),
               told(cost.steps, brief(cost.steps, 3)),
               told(cost.memory, bytes(cost.memory)),
               told(cost.seconds, duration(cost.seconds)),
