@@ -128,14 +128,14 @@ TEST(VtkFiles, FacetsShareVertices)
 TEST(VtkFiles, NamesOfNumbers)
 {
   VtkFile file("UnstructuredGrid", "", "");
-  file.add_texts("tissue_names", {"none", "a b"});
+  file.add_names("tissue", {"none", "a < \"b\""});
   file.add("CellData", "tissue", std::vector<unsigned char>{1, 0});
   file.write("names.vtu");
   EXPECT_TRUE(holds("names.vtu",
-                    "<FieldData>\n<Array type=\"String\" "
-                    "Name=\"tissue_names\" NumberOfTuples=\"2\" "
-                    "format=\"ascii\">110 111 110 101 0 97 32 98 0 </Array>\n"
-                    "</FieldData>\n<Piece"));
+                    "<FieldData>\n<DataArray type=\"Int64\" "
+                    "Name=\"tissue 0: none\" NumberOfTuples=\"1\" "
+                    "format=\"ascii\">0</DataArray>\n"));
+  EXPECT_TRUE(holds("names.vtu", "Name=\"tissue 1: a &lt; &quot;b&quot;\""));
 }
 
 

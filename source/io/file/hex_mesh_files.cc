@@ -39,8 +39,8 @@ namespace io
       std::vector<std::string> parts;
       for (const BodyPart &part : mesh.parts)
         parts.push_back(part.name);
-      file.add_texts("part_names", parts);
-      file.add_texts("tissue_names", tissue_names());
+      file.add_names("part", parts);
+      file.add_names("tissue", tissue_names());
     }
 
     /// Adds cells with @p width corners each.

@@ -47,6 +47,22 @@ namespace io
       text.append(reinterpret_cast<const char *>(&number), sizeof(number));
     }
 
+    /// Text of an attribute in XML.
+    std::string escaped(const std::string &text)
+    {
+      std::string result;
+      for (const char letter : text)
+        if (letter == '&')
+          result += "&amp;";
+        else if (letter == '<')
+          result += "&lt;";
+        else if (letter == '"')
+          result += "&quot;";
+        else
+          result += letter;
+      return result;
+    }
+
     /// Compresses data in blocks, with VTK's header: number of blocks, block
     /// size, size of a smaller last block, and compressed sizes.
     std::string compress_blocks(const unsigned char *data,
@@ -133,20 +149,14 @@ namespace io
                    exact(time) + "</DataArray>\n";
   }
 
-  void VtkFile::add_texts(const std::string &name,
-                          const std::vector<std::string> &texts)
+  void VtkFile::add_names(const std::string &array,
+                          const std::vector<std::string> &names)
   {
-    // VTK's text form of texts: the codes of all characters, 0 at the end.
-    field_data_ += "<Array type=\"String\" Name=\"" + name +
-                   "\" NumberOfTuples=\"" + std::to_string(texts.size()) +
-                   "\" format=\"ascii\">";
-    for (const std::string &text : texts)
-    {
-      for (const char letter : text)
-        field_data_ += std::to_string(static_cast<unsigned char>(letter)) + " ";
-      field_data_ += "0 ";
-    }
-    field_data_ += "</Array>\n";
+    for (std::size_t number = 0; number < names.size(); ++number)
+      field_data_ += "<DataArray type=\"Int64\" Name=\"" + array + " " +
+                     std::to_string(number) + ": " + escaped(names[number]) +
+                     "\" NumberOfTuples=\"1\" format=\"ascii\">" +
+                     std::to_string(number) + "</DataArray>\n";
   }
 
   void VtkFile::write(const std::string &file) const

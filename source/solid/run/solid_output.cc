@@ -154,7 +154,7 @@ std::string write_solid(const SolidBody<Real> &body,
     "NumberOfPoints=\"" + std::to_string(body.mesh().nodes.size()) +
     "\" NumberOfCells=\"" + std::to_string(body.mesh().elements.size()) + "\"";
   io::VtkFile file("UnstructuredGrid", "", sizes);
-  file.add_texts("tissue_names", tissue_names());
+  file.add_names("tissue", tissue_names());
   add_points(file, body);
   add_fields(file, body);
   Names fields = cell_names;

@@ -13,8 +13,8 @@ namespace contrecoup
 namespace io
 {
   /// Writes the mesh for ParaView (VTU) with cell data `part` and `tissue`
-  /// (indices in HexMesh::parts and tissue_names()), and the names of both as
-  /// field data `part_names` and `tissue_names`. @throws SystemError
+  /// (indices in HexMesh::parts and tissue_names()), and the names of both in
+  /// the field data. @throws SystemError
   void write_vtu(const HexMesh &mesh, const std::string &file);
 
   /// Writes the mesh for Gmsh and deal.II (Gmsh format 2.2, ASCII). The

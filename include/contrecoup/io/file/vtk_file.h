@@ -43,10 +43,11 @@ namespace io
     /// Sets the simulated time [s], "TimeValue" in the field data.
     void set_time(double time);
 
-    /// Adds texts to the field data, such as the names of what integers in an
-    /// array stand for.
-    void add_texts(const std::string &name,
-                   const std::vector<std::string> &texts);
+    /// Adds to the field data what the integers in an array stand for, by
+    /// fields whose names are "tissue 4: brain": readers beside ParaView refuse
+    /// arrays of texts.
+    void add_names(const std::string &array,
+                   const std::vector<std::string> &names);
 
     /// @throws SystemError
     void write(const std::string &file) const;

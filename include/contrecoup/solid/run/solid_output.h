@@ -13,7 +13,7 @@ namespace contrecoup::solid
  * Writes the body for ParaView: `solid_0012.vtu`, or one piece per rank and
  * `solid_0012.pvtu`. Points are those of the undeformed body. Point data are
  * displacement and velocity; cell data are tissue, pressure, von Mises stress,
- * largest principal strain and the recorded peaks; field data `tissue_names`
+ * largest principal strain and the recorded peaks; field data
  * are the names of the tissues by number. Collective.
  * @return name of the file to open, without folder
  * @throws SystemError when the disk fails
