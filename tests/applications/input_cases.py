@@ -23,6 +23,8 @@ FOLDER = "input_cases"
 SCENE = "scene/quickstart.prm"
 SOD = "blast/verification/sod.prm"
 CONE = "blast/verification/cone.prm"
+SPHERE = "blast/verification/body_sphere_axisymmetric.prm"
+BURN = "blast/verification/tnt_detonation.prm"
 HEAD = "head_impact/quickstart.prm"
 BAR = "biomechanics/verification/bar_wave.prm"
 ANATOMY = "anatomy/quickstart.prm"
@@ -188,6 +190,46 @@ def refused_other_files():
                        entry("Reference/Table", name)), reason)
 
 
+def refused_gas_selections():
+    """Entries of blast that select nothing, or something else than they say."""
+    region = [entry("Reference/Kind", "none"),
+              entry("Initial state/Kind", "regions")]
+    for shape, places, what in [
+            ("sphere", {"Center": "5"}, "sphere at 5"),
+            ("box", {"Lower corner": "2", "Upper corner": "3"}, "box at 2 to 3"),
+            ("half space", {"Center": "-1"}, "half space at -1")]:
+        yield (f"{shape} outside", "blast",
+               shipped(SOD, *region, entry("Initial state/Region a/Shape", shape),
+                       *(entry(f"Initial state/Region a/{name}", value)
+                         for name, value in places.items())),
+               f'Initial state/Region a = "{what}" selects no gas: the domain '
+               'reaches from 0 to 1 m')
+    for low, high in [("2", "3"), ("0.501", "0.502")]:
+        yield (f"fine box from {low}", "blast",
+               shipped(SPHERE, entry("Adaptation/Fine box levels", "1"),
+                       entry("Adaptation/Fine box lower corner", f"{low}, 0"),
+                       entry("Adaptation/Fine box upper corner", f"{high}, 1")),
+               "selects no centre of a leaf")
+    yield ("size limit outside", "blast",
+           shipped(SPHERE, entry("Adaptation/Limit a/Shape", "ball"),
+                   entry("Adaptation/Limit a/Center", "3, 0")),
+           'Adaptation/Limit a = "ball" selects no leaf')
+    yield ("finer region without body", "blast",
+           shipped(SPHERE, entry("Rigid body/Finer region a/Shape", "ball"),
+                   entry("Rigid body/Finer region a/Center", "0, 0.9"),
+                   entry("Rigid body/Finer region a/Radius", "0.1")),
+           'Rigid body/Finer region a = "ball" selects no place of the body')
+    yield ("line in the body", "blast",
+           shipped(SPHERE, entry("Probes/Lines", "0, 0 : 0.3, 0 : 4")),
+           "selects no place in the gas")
+    yield ("line outside", "blast",
+           shipped(SPHERE, entry("Probes/Lines", "0.6, 0 : 3, 0 : 4")),
+           "outside of the domain")
+    yield ("gauge far from the skin", "blast",
+           shipped(SPHERE, entry("Loads/Gauges", "side: 0.9, 0")),
+           '"side" is 0.4 m from the surface of the body')
+
+
 def refused_scenes():
     """What contradicts itself between stages of a scene, or is nowhere."""
     end = entry("Scene/End time", "0.005")
@@ -257,6 +299,17 @@ def accepted():
                    entry("Body/Rotation", "0, 0, 90")),
            "before a standing person of 1.62 m and 58 kg")
     yield ("no entry", "blast", b"# nothing\n", "sets no entry")
+    yield ("late ignition", "blast",
+           shipped(BURN, entry("Charges/Charge 1/Ignition times", "1")),
+           "WARNING: Charges/Charge 1 burns from 1 s to")
+    yield ("late size limit", "blast",
+           shipped(SPHERE, entry("Adaptation/Limit a/From time", "2")),
+           "s: the limit never holds")
+    yield ("late afterburn", "blast",
+           shipped(BURN, entry("Charges/Afterburn/Kind", "constant"),
+                   entry("Charges/Afterburn/Start time", "1"),
+                   entry("Charges/Afterburn/End time", "2")),
+           "nothing burns on")
 
 
 def refused_heads():
@@ -356,8 +409,9 @@ def main(programs, repository):
 
     for cases, verdict_of in [(refused_files, judge_refusal),
                               (refused_entries, judge_refusal),
-                              (refused_selections, judge_refusal),
                               (refused_other_files, judge_refusal),
+                              (refused_selections, judge_refusal),
+                              (refused_gas_selections, judge_refusal),
                               (refused_scenes, judge_refusal),
                               (refused_heads, judge_refusal),
                               (accepted, judge_acceptance),

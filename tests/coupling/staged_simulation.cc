@@ -4,11 +4,13 @@
 #include <contrecoup/base/parameters/parameter_tree.h>
 #include <contrecoup/base/run/time_parameters.h>
 #include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/text.h>
 #include <contrecoup/coupling/first_stage/staged_simulation.h>
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
 #include <map>
 
 using namespace contrecoup;
@@ -285,6 +287,85 @@ TEST(StagedSimulation, HandsOverAtAGivenTimeAndAtOnce)
   early->setup();
   EXPECT_TRUE(in_second_stage(*early));
   EXPECT_EQ(early->time(), 0.);
+}
+
+
+namespace
+{
+/// A line of gauges from beside a ball of hot products outwards.
+Lines with_gauges()
+{
+  return above_ground() + Lines{"Domain/Upper corner=0.72, 0.96",
+                                "Domain/Coarse leaves=18, 24",
+                                "Initial state/Region ball/Center=0, 0.48",
+                                "Adaptation/Active=false",
+                                "First stage/Cell size=0.01",
+                                "First stage/Hand over at=radius",
+                                "First stage/Radius=0.35",
+                                "Probes/Points=",
+                                "Probes/Injury=true",
+                                "Probes/Lines=0.12, 0.48 : 0.6, 0.48 : 9"};
+}
+
+
+/// Columns of the line of gauges after @p time [s], by name without unit.
+std::map<std::string, std::vector<double>> gauge_line(Simulation &run,
+                                                      const double time)
+{
+  run.setup();
+  while (run.time() < time)
+  {
+    run.advance(time - run.time());
+    run.adapt();
+  }
+  const std::string folder = scratch();
+  run.write_fields(folder, 0);
+  MPI_Barrier(MPI_COMM_WORLD);
+  std::ifstream file(folder + "/gauges_line_1.csv");
+  std::string line;
+  std::getline(file, line);
+  const auto names = split(line, ',');
+  std::map<std::string, std::vector<double>> columns;
+  while (std::getline(file, line))
+  {
+    const auto words = split(line, ',');
+    for (std::size_t i = 0; i < words.size(); ++i)
+      columns[names[i].substr(0, names[i].find(' '))].push_back(
+        std::stod(words[i]));
+  }
+  MPI_Barrier(MPI_COMM_WORLD);
+  return columns;
+}
+} // namespace
+
+
+TEST(StagedSimulation, LinesOfGaugesAreThoseWithoutAFirstStage)
+{
+  const auto staged = make<2>(with_gauges());
+  const auto found = gauge_line(*staged, 1.2e-3);
+  ASSERT_TRUE(in_second_stage(*staged));
+  ParameterHandler prm;
+  TimeParameters::declare_parameters(prm);
+  StagedSimulation<2>::declare_parameters(prm);
+  std::vector<Assignment> assignments;
+  for (const std::string &line : with_gauges())
+    assignments.push_back(parse_override(line));
+  apply_assignments(assignments, prm);
+  gas::GasSimulation<2> whole(MPI_COMM_WORLD);
+  whole.parse_parameters(prm);
+  const auto expected = gauge_line(whole, 1.2e-3);
+  ASSERT_EQ(found.at("x").size(), 9U);
+  for (std::size_t i = 0; i < 9; ++i)
+  {
+    for (const std::string name :
+         {"peak_overpressure", "impulse", "arrival", "duration"})
+      EXPECT_NEAR(found.at(name)[i] / expected.at(name)[i], 1., 0.05)
+        << name << " at " << found.at("x")[i];
+    EXPECT_NEAR(found.at("chest_wall_velocity")[i] /
+                  expected.at("chest_wall_velocity")[i],
+                1.,
+                0.05);
+  }
 }
 
 

@@ -75,6 +75,18 @@ class InjuryMapsTest(unittest.TestCase):
         self.assertAlmostEqual(
             injury_maps.area_above(maps, "chest_wall_velocity", 6.), 0.75)
 
+    def test_area_unknown(self):
+        """Neither where the blast has not arrived is anything known, nor of
+        lungs where the wave is not simple."""
+        found = fields()
+        found["arrival"][0][:, 4] = np.nan
+        found["eardrum_rupture"][0][:, 4] = np.nan
+        maps = self.maps(found)["gauges_plane_1"]
+        self.assertAlmostEqual(
+            injury_maps.area_unknown(maps, "eardrum_rupture"), 3 * 0.25)
+        self.assertAlmostEqual(
+            injury_maps.area_unknown(maps, "lung_lethality"), 6 * 0.25)
+
     def drawn(self, found):
         style.set_up()
         figures = []
@@ -116,7 +128,8 @@ class InjuryMapsTest(unittest.TestCase):
         self.assertEqual(blast_sections.people(Scene(self.folder)), [])
         self.write(fields(), os.path.join(self.folder, "blast"))
         text = "".join(map(str, blast_sections.people(Scene(self.folder))))
-        self.assertIn("half of the eardrums would rupture on 2.25 m²", text)
+        self.assertIn("half of the eardrums would rupture on 2.25 m² (unknown "
+                      "on 0.750 m²)", text)
         self.assertIn("9 August 2024", text)
 
 

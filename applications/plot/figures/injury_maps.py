@@ -35,34 +35,47 @@ def are_in(maps):
 
 
 def simple(maps):
-    """Where the wave is simple, see SIMPLE."""
-    return maps["first_phase_fraction"].values > SIMPLE
+    """Where the wave is simple, see SIMPLE, or among the products of an
+    explosive, where the fraction is not a number and another duration holds."""
+    return ~(maps["first_phase_fraction"].values <= SIMPLE)
 
 
 def area_above(maps, name, level):
     """Area of the plane [m^2] where a quantity exceeds a level, by the gauges
     that do; in axisymmetric cells of the half plane."""
-    plane = maps[name]
+    return _area_where(maps[name], np.nan_to_num(maps[name].values) > level)
+
+
+def area_unknown(maps, name):
+    """Area of the plane [m^2] where a quantity is not known, see draw()."""
+    return _area_where(maps[name], ~_known(maps, name))
+
+
+def _area_where(plane, chosen):
     cell = np.prod([(high - low) / max(points - 1, 1) for low, high, points in
                     zip(plane.lower, plane.upper, plane.values.shape[::-1])])
-    return float(cell * np.sum(np.nan_to_num(plane.values) > level))
+    return float(cell * np.sum(chosen))
+
+
+def _known(maps, name):
+    known = np.isfinite(maps[name].values)
+    if "arrival" in maps:
+        known &= maps["arrival"].values > 0.
+    return known & simple(maps) if name == "lung_lethality" else known
 
 
 def draw(maps, path):
     """A panel for each measure; grey where the blast has not arrived or the
     measure is not known, that of lungs also where the wave is not simple."""
     figure, axes = blast_maps.four_panels(maps["peak_overpressure"])
-    arrived = maps["arrival"].values > 0. if "arrival" in maps else True
     for axis, name in zip(axes.flat, PANELS):
-        _draw_panel(figure, axis, maps[name],
-                    arrived & simple(maps) if name == "lung_lethality"
-                    else arrived)
+        _draw_panel(figure, axis, maps[name], _known(maps, name))
     style.save(figure, path)
 
 
-def _draw_panel(figure, axis, plane, arrived):
+def _draw_panel(figure, axis, plane, known):
     title, levels = PANELS[plane.quantity]
-    values = np.where(arrived, plane.values, np.nan)
+    values = np.where(known, plane.values, np.nan)
     axis.set_facecolor("#cccccc")
     axis.set_title(title)
     axis.grid(False)

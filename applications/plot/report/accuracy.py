@@ -192,7 +192,7 @@ def _checks(scene):
     loss = scene.blast.found("checks", "loads_sampled_peak_loss")
     if loss is not None:
         items.append("Recording: samples miss at most "
-                     f"{_round_off(loss)} % of the peak on a facet.")
+                     f"{_round_off(loss)} % of the peak on a facet or gauge.")
     rough = scene.measures().get("injury_pressure_roughness")
     if rough is not None:
         items.append(

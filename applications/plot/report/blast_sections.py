@@ -50,7 +50,10 @@ def people(scene):
                 ("peak_overpressure", 4. * injury_maps.PSI,
                  "4 psi are exceeded")):
             area = injury_maps.area_above(maps, name, level)
-            words.append(f"{what} on {page.number(area)} m²")
+            unknown = injury_maps.area_unknown(maps, name)
+            words.append(f"{what} on {page.number(area)} m²" + (
+                f" (unknown on {page.number(unknown)} m²)"
+                if unknown > 0. else ""))
         parts.append(page.figure(
             page.drawn(injury_maps.draw, maps),
             "Maps of the probability that an eardrum ruptures, the probability "
@@ -58,9 +61,9 @@ def people(scene):
             "overpressure.",
             "What the blast would do to people who stand in a plane of gauges, "
             "as if nobody were there: " + "; ".join(words) + " of it. Grey: the "
-            "blast has not arrived, the figure is not known, or, of lungs, the "
-            "wave is not simple, as among the products of the explosive, where "
-            "no curve holds and nobody is safe. Lungs by side-on plus dynamic "
+            "blast has not arrived, the figure is not known, as within the "
+            "charge, or, of lungs, the blast is not over or not simple; among "
+            "the products of the explosive no curve was measured. Lungs by side-on plus dynamic "
             f"pressure and positive phase ({KNOWN['lung_lethality'][2]}), "
             f"eardrums by the peak ({KNOWN['ear_rupture'][2]}); 4 psi: "
             f"{KNOWN['peak_overpressure'][2]}. The chest wall velocity: "
@@ -308,8 +311,8 @@ def conservation(scene):
             ("loads_force_difference", "force on the body: recorded on the "
              "facets against momentum lost by the gas, root mean square over "
              "time"),
-            ("loads_sampled_peak_loss", "peak on the worst facet: fraction "
-             "missed by the recorded samples")):
+            ("loads_sampled_peak_loss", "peak on the worst facet or gauge: "
+             "fraction missed by the recorded samples")):
         value = scene.blast.found("checks", name)
         if value is not None:
             rows.append((text, page.percent(value)))

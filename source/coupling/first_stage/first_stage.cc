@@ -11,12 +11,15 @@ namespace
   using gas::GasSimulation;
   using gas::GasState;
 
-  /// Position of a probe in the domain of the stage, and the unit vectors of
-  /// the stage's directions there.
+  /// A position of the scene, by number, in the domain of the stage, and the
+  /// unit vectors of the stage's directions there.
   template <int dim, int stage_dim>
   struct Probe
   {
-    Probe(const dealii::Point<dim> &place, const dealii::Point<dim> &centre)
+    Probe(const std::size_t number,
+          const dealii::Point<dim> &place,
+          const dealii::Point<dim> &centre)
+      : number(number)
     {
       dealii::Tensor<1, dim> radial = place - centre;
       if constexpr (stage_dim == 2)
@@ -30,6 +33,7 @@ namespace
         directions[0] = radial / this->place[0];
     }
 
+    std::size_t number;
     dealii::Point<stage_dim> place;
     std::array<dealii::Tensor<1, dim>, stage_dim> directions;
   };
@@ -70,20 +74,24 @@ namespace
                  const std::function<void(ParameterHandler &)> &declare,
                  const FirstStageParameters &parameters,
                  const FirstStageLayout<dim> &plan,
-                 const std::vector<dealii::Point<dim>> &probes,
+                 const std::vector<dealii::Point<dim>> &places,
                  const MPI_Comm communicator)
       : plan_(plan)
       , solver_(communicator)
     {
-      for (const auto &place : probes)
-        probes_.emplace_back(place, plan.centre);
+      std::vector<dealii::Point<stage_dim>> in_stage;
+      for (std::size_t i = 0; i < places.size(); ++i)
+      {
+        const Probe<dim, stage_dim> probe(i, places[i], plan.centre);
+        if (probe.place[0] > plan.domain_radius)
+          continue;
+        probes_.push_back(probe);
+        in_stage.push_back(probe.place);
+      }
       ParameterHandler prm;
       declare(prm);
-      std::vector<dealii::Point<stage_dim>> places;
-      for (const auto &probe : probes_)
-        if (is_inside(probe))
-          places.push_back(probe.place);
-      derive_first_stage<dim, stage_dim>(scene, parameters, plan, places, prm);
+      derive_first_stage<dim, stage_dim>(
+        scene, parameters, plan, in_stage, prm);
       solver_.parse_parameters(prm);
     }
 
@@ -123,24 +131,21 @@ namespace
       return gas().profile();
     }
 
-    std::vector<GasState<dim>> probes() override
+    void for_each_place(
+      const std::function<void(std::size_t, const GasState<dim> &)> &take)
+      override
     {
-      const GasState<stage_dim> ambient = gas().scene().ambient();
       const auto &states = gas().probe_set().states();
-      std::size_t next = 0;
-      std::vector<GasState<dim>> result;
-      for (const auto &probe : probes_)
+      for (std::size_t k = 0; k < probes_.size(); ++k)
       {
-        const auto &here = is_inside(probe) ? states[next++] : ambient;
         GasState<dim> state;
-        state.density = here.density;
-        state.pressure = here.pressure;
-        state.products = here.products;
+        state.density = states[k].density;
+        state.pressure = states[k].pressure;
+        state.products = states[k].products;
         for (unsigned int i = 0; i < stage_dim; ++i)
-          state.velocity += here.velocity[i] * probe.directions[i];
-        result.push_back(state);
+          state.velocity += states[k].velocity[i] * probes_[k].directions[i];
+        take(probes_[k].number, state);
       }
-      return result;
     }
 
     std::vector<NamedValue>
@@ -176,11 +181,6 @@ namespace
     GasSimulation<stage_dim> &gas() const
     {
       return gas_of(solver_);
-    }
-
-    bool is_inside(const Probe<dim, stage_dim> &probe) const
-    {
-      return probe.place[0] <= plan_.domain_radius;
     }
 
     /// Mass [kg], energy [J] and mass of products [kg] of ambient gas in the
@@ -228,7 +228,7 @@ namespace
     }
 
     const FirstStageLayout<dim> plan_;
-    std::vector<Probe<dim, stage_dim>> probes_;
+    std::vector<Probe<dim, stage_dim>> probes_; ///< within the stage's domain
     /// mutable because const queries call non-const functions of the solver.
     mutable Solver solver_;
   };
@@ -241,7 +241,7 @@ make_first_stage(const ParameterHandler &scene,
                  const std::function<void(ParameterHandler &)> &declare,
                  const FirstStageParameters &parameters,
                  const FirstStageLayout<dim> &plan,
-                 const std::vector<dealii::Point<dim>> &probes,
+                 const std::vector<dealii::Point<dim>> &places,
                  const MPI_Comm communicator)
 {
   if constexpr (dim == 3)
@@ -249,12 +249,12 @@ make_first_stage(const ParameterHandler &scene,
     {
       if (parameters.spherical_cell_size > 0.)
         return std::make_unique<ReducedStage<dim, 2, StagedSimulation<2>>>(
-          scene, declare, parameters, plan, probes, communicator);
+          scene, declare, parameters, plan, places, communicator);
       return std::make_unique<ReducedStage<dim, 2, GasSimulation<2>>>(
-        scene, declare, parameters, plan, probes, communicator);
+        scene, declare, parameters, plan, places, communicator);
     }
   return std::make_unique<ReducedStage<dim, 1, GasSimulation<1>>>(
-    scene, declare, parameters, plan, probes, communicator);
+    scene, declare, parameters, plan, places, communicator);
 }
 
 

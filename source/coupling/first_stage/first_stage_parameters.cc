@@ -441,8 +441,6 @@ void derive_first_stage(const ParameterHandler &scene,
   changes["Probes/Lines"] = "";
   changes["Probes/Gauge planes"] = "";
   changes["Probes/Injury"] = "false";
-  // Maps of the stage initialise maps and probes of the scene.
-  changes["Output/Maps"] = "true";
   set_stage_before(values, parameters, stage_dim, changes);
   move_charges(scene, values, stage_dim, changes);
   // Positions in the scene have no meaning in the stage.

@@ -66,12 +66,11 @@ void StagedSimulation<dim>::parse_parameters(ParameterHandler &prm)
   declare(second);
   derive_second_stage(prm, second);
   scene_.parse_parameters(second);
-  first_ = make_first_stage<dim>(prm,
-                                 declare,
-                                 parameters_,
-                                 plan_,
-                                 scene_.probe_set().places(),
-                                 communicator_);
+  auto places = scene_.probe_set().places();
+  const auto &rasters = scene_.probe_rasters().places();
+  places.insert(places.end(), rasters.begin(), rasters.end());
+  first_ = make_first_stage<dim>(
+    prm, declare, parameters_, plan_, places, communicator_);
   bool is_trial = false;
   {
     const Section section(prm, "Rigid body");
@@ -133,16 +132,28 @@ template <int dim>
 void StagedSimulation<dim>::setup()
 {
   first_->simulation().setup();
-  read_probes();
+  read_probes(0.);
   if (is_due())
     hand_over();
 }
 
 
 template <int dim>
-void StagedSimulation<dim>::read_probes()
+void StagedSimulation<dim>::read_probes(const double step)
 {
-  scene_.probe_set().take(first_->probes(), first_->simulation().time());
+  auto &probes = scene_.probe_set();
+  auto &rasters = scene_.probe_rasters();
+  const double now = time();
+  std::vector<gas::GasState<dim>> states(probes.places().size(),
+                                         scene_.scene().ambient());
+  first_->for_each_place(
+    [&](const std::size_t i, const gas::GasState<dim> &state) {
+      if (i < states.size())
+        states[i] = state;
+      else
+        rasters.take(i - states.size(), state, now, step);
+    });
+  probes.take(states, now);
 }
 
 
@@ -230,7 +241,7 @@ StepReport StagedSimulation<dim>::advance(const double largest_step)
                     parameters_.time > time() ? parameters_.time - time()
                                               : largest_step);
   const StepReport report = first_->simulation().advance(step);
-  read_probes();
+  read_probes(report.step_size);
   return report;
 }
 
@@ -411,6 +422,7 @@ void StagedSimulation<dim>::save(const std::string &folder)
       write_number(out, hand_over_time_);
       write_number(out, hand_over_radius_);
       scene_.probe_set().save(out, folder);
+      scene_.probe_rasters().save(out, folder);
     });
 }
 
@@ -424,6 +436,7 @@ void StagedSimulation<dim>::restore(const std::string &folder)
   read_number(stream, hand_over_time_);
   read_number(stream, hand_over_radius_);
   scene_.probe_set().load(stream, folder);
+  scene_.probe_rasters().load(stream, folder);
   if (!stream || stage < 1 || stage > 2)
     throw InputError("Checkpoint file " + stages_file<dim>(folder) +
                      " belongs to another scene");

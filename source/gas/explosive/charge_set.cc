@@ -144,6 +144,37 @@ double ChargeSet<dim>::signed_distance(const dealii::Point<dim> &point) const
 
 
 template <int dim>
+std::vector<std::string> ChargeSet<dim>::late_burns(const double end_time) const
+{
+  std::vector<std::string> lines;
+  const dealii::QIterated<dim> grid(dealii::QMidpoint<1>(), 20);
+  for (unsigned int i = 0; i < charges_.size(); ++i)
+  {
+    double first = std::numeric_limits<double>::infinity(), last = 0.;
+    const auto [lower, upper] = charges_[i].bounds();
+    for (const auto &x : grid.get_points())
+    {
+      dealii::Point<dim> point = lower;
+      for (unsigned int d = 0; d < dim; ++d)
+        point[d] += x[d] * (upper[d] - lower[d]);
+      if (charges_[i].signed_distance(point) > 0.)
+        continue;
+      const double time = charges_[i].arrival(point, speed_, 0.);
+      first = std::min(first, time);
+      last = std::max(last, time);
+    }
+    if (last > end_time)
+      lines.push_back(
+        "WARNING: Charges/Charge " + names_[i] + " burns from " + brief(first) +
+        " s to " + brief(last) + " s, but the run ends at Time/End time = " +
+        brief(end_time) + " s: " + (first > end_time ? "all" : "a part") +
+        " of it stays unburned; see Ignition times");
+  }
+  return lines;
+}
+
+
+template <int dim>
 std::optional<double> ChargeSet<dim>::arrival(const dealii::Point<dim> &point,
                                               const double max_distance,
                                               const double lead) const

@@ -5,6 +5,7 @@
 #include <contrecoup/gas/adaptation/leaf_transfer.h>
 #include <contrecoup/gas/hand_over/profile_extraction.h>
 #include <contrecoup/gas/octree/leaf_box.h>
+#include <contrecoup/gas/record/blast_map_transfer.h>
 #include <contrecoup/gas/state/leaf_sampling.h>
 #include <contrecoup/gas/state/primitive.h>
 
@@ -14,6 +15,10 @@
 
 namespace contrecoup::gas
 {
+const std::array<std::string, 5> record_names = {
+  {"peak_overpressure", "arrival", "running_impulse", "impulse", "end"}};
+
+
 namespace
 {
   /// Relative difference from the ambient state that counts as a disturbance.
@@ -150,30 +155,24 @@ namespace
   };
 
 
-  /// Writes a leaf, refined to the finest level, into the rows of the raster;
-  /// the last row takes the scheme's volumes.
-  template <int dim>
-  void add_leaf(const std::vector<double> &leaf,
-                const LeafBox<dim> &box,
-                const int level,
-                const Raster<dim> &raster,
-                const LeafPoints<dim> &points,
-                const LeafTransfer<dim> &transfer,
-                std::vector<std::vector<double>> &values)
+  /// Refines the values of a leaf by @p to_children(values, box) to the finest
+  /// level of the raster, and calls @p write(values, box) for each leaf there.
+  template <int dim, typename Number, typename Refine, typename Write>
+  void for_each_finest(const std::vector<Number> &leaf,
+                       const LeafBox<dim> &box,
+                       const int level,
+                       const Raster<dim> &raster,
+                       const Refine &to_children,
+                       const Write &write)
   {
     if (!raster.overlaps(box))
       return;
     if (level == raster.finest())
     {
-      const unsigned int n_points = dealii::Utilities::pow(points.n(), dim);
-      raster.for_each_cell(box, [&](const std::size_t cell, unsigned int q) {
-        for (unsigned int c = 0; c * n_points < leaf.size(); ++c)
-          values[c][cell] = leaf[c * n_points + q];
-        values.back()[cell] = point_volume(box, points, q);
-      });
+      write(leaf, box);
       return;
     }
-    const auto children = transfer.to_children(leaf, box);
+    const auto children = to_children(leaf, box);
     for (unsigned int c = 0; c < children.size(); ++c)
     {
       LeafBox<dim> child;
@@ -182,8 +181,84 @@ namespace
       for (unsigned int d = 0; d < dim; ++d)
         if ((c >> d) & 1U)
           child.origin[d] += child.extents[d];
-      add_leaf(children[c], child, level + 1, raster, points, transfer, values);
+      for_each_finest(
+        children[c], child, level + 1, raster, to_children, write);
     }
+  }
+
+
+  /// Rows of numbers on the raster. Each cell belongs to one rank, and
+  /// shared() adds the zeros of the others.
+  using Rows = std::vector<std::vector<double>>;
+
+  Rows shared(Rows rows, const MPI_Comm communicator)
+  {
+    for (auto &row : rows)
+      dealii::Utilities::MPI::sum(row, communicator, row);
+    return rows;
+  }
+
+
+  /// Conserved quantities, and last the volumes of the scheme.
+  template <int dim>
+  Rows state_rows(const LeafMesh<dim> &mesh,
+                  const LeafPoints<dim> &points,
+                  const GasField &field,
+                  const GasMaterial &material,
+                  const Raster<dim> &raster)
+  {
+    const unsigned int n_points = field.layout().n_points;
+    const LeafTransfer<dim> transfer(points, field.layout(), material);
+    Rows rows(dim + 4, std::vector<double>(raster.n_cells(), 0.));
+    const auto write = [&](const auto &leaf, const LeafBox<dim> &box) {
+      raster.for_each_cell(box, [&](const std::size_t cell, unsigned int q) {
+        for (unsigned int c = 0; c * n_points < leaf.size(); ++c)
+          rows[c][cell] = leaf[c * n_points + q];
+        rows.back()[cell] = point_volume(box, points, q);
+      });
+    };
+    for (unsigned int leaf = 0; leaf < mesh.n_owned(); ++leaf)
+      for_each_finest(
+        field.leaf(leaf),
+        leaf_box(mesh, leaf),
+        mesh.cell(leaf)->level(),
+        raster,
+        [&](const auto &parent, const LeafBox<dim> &box) {
+          return transfer.to_children(parent, box);
+        },
+        write);
+    return shared(std::move(rows), mesh.communicator());
+  }
+
+
+  /// The numbers of the maps.
+  template <int dim>
+  Rows map_rows(const LeafMesh<dim> &mesh,
+                const LeafPoints<dim> &points,
+                const BlastMaps<dim> &maps,
+                const Raster<dim> &raster)
+  {
+    const unsigned int n_points = dealii::Utilities::pow(points.n(), dim);
+    const BlastMapTransfer<dim> transfer(points);
+    Rows rows(BlastMaps<dim>::Record::n_values,
+              std::vector<double>(raster.n_cells(), 0.));
+    const auto write = [&](const auto &leaf, const LeafBox<dim> &box) {
+      raster.for_each_cell(box, [&](const std::size_t cell, unsigned int q) {
+        for (unsigned int v = 0; v < rows.size(); ++v)
+          rows[v][cell] = leaf[v * n_points + q];
+      });
+    };
+    for (unsigned int leaf = 0; leaf < mesh.n_owned(); ++leaf)
+      for_each_finest(
+        maps.leaf(leaf),
+        leaf_box(mesh, leaf),
+        mesh.cell(leaf)->level(),
+        raster,
+        [&](const auto &parent, const LeafBox<dim> &) {
+          return transfer.to_children(parent);
+        },
+        write);
+    return shared(std::move(rows), mesh.communicator());
   }
 
 
@@ -250,7 +325,8 @@ ProfileData extract_profile(const LeafMesh<dim> &mesh,
                             const LeafPoints<dim> &points,
                             const GasField &field,
                             const GasMaterial &material,
-                            const GasState<dim> &ambient)
+                            const GasState<dim> &ambient,
+                            const BlastMaps<dim> &maps)
 {
   using C = Component<dim>;
   const auto &box = mesh.coarse_mesh();
@@ -269,22 +345,6 @@ ProfileData extract_profile(const LeafMesh<dim> &mesh,
   finest = dealii::Utilities::MPI::max(finest, mesh.communicator());
 
   const Raster<dim> raster(mesh, points, lower, upper, finest);
-  // dim + 3 components and the volumes.
-  std::vector<std::vector<double>> values(
-    dim + 4, std::vector<double>(raster.n_cells(), 0.));
-  const LeafTransfer<dim> transfer(points, field.layout(), material);
-  for (unsigned int leaf = 0; leaf < mesh.n_owned(); ++leaf)
-    add_leaf(field.leaf(leaf),
-             leaf_box(mesh, leaf),
-             mesh.cell(leaf)->level(),
-             raster,
-             points,
-             transfer,
-             values);
-  // Each cell belongs to one rank; the other ranks hold zeros.
-  for (auto &component : values)
-    dealii::Utilities::MPI::sum(component, mesh.communicator(), component);
-
   ProfileData data;
   data.geometry = box.geometry();
   data.ambient = {{state[C::density], state[C::energy], state[C::products]}};
@@ -295,10 +355,16 @@ ProfileData extract_profile(const LeafMesh<dim> &mesh,
     data.domain_end.push_back(box.upper_corner()[d]);
     data.edges.push_back(raster.edges(d));
   }
-  const std::vector<double> volumes = values.back();
-  values.pop_back();
-  data.values = values;
+  data.values = state_rows(mesh, points, field, material, raster);
+  const std::vector<double> volumes = std::move(data.values.back());
+  data.values.pop_back();
   correct_volumes(data, volumes);
+  if (!maps.empty())
+  {
+    Rows rows = map_rows(mesh, points, maps, raster);
+    for (unsigned int v = 0; v < rows.size(); ++v)
+      data.maps[record_names[v]] = std::move(rows[v]);
+  }
   return data;
 }
 
@@ -313,7 +379,8 @@ ProfileData extract_profile(const LeafMesh<dim> &mesh,
                                        const LeafPoints<dim> &,             \
                                        const GasField &,                    \
                                        const GasMaterial &,                 \
-                                       const GasState<dim> &)
+                                       const GasState<dim> &,               \
+                                       const BlastMaps<dim> &)
 
 CONTRECOUP_INSTANTIATE(1);
 CONTRECOUP_INSTANTIATE(2);

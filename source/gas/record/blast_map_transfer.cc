@@ -102,6 +102,8 @@ BlastMapTransfer<dim>::merged(const std::vector<std::vector<float>> &children,
   for (const Contribution &item : contributions_[point])
   {
     const Record one = record_of(children[item.child], item.point, n_points_);
+    if (std::isnan(one.peak))
+      return one;
     result.peak = std::max(result.peak, one.peak);
     result.arrival = earlier(result.arrival, one.arrival);
     result.end = std::max(result.end, one.end);

@@ -24,6 +24,15 @@ std::array<double, 4> map_values(const BlastMeasures &measures)
 }
 
 
+std::array<double, 4> recorded_map_values(const BlastMeasures &measures)
+{
+  if (measures.peak > 0.)
+    return map_values(measures);
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  return {{unknown, unknown, unknown, unknown}};
+}
+
+
 template <int dim>
 void BlastMaps<dim>::declare_parameters(ParameterHandler &prm)
 {
@@ -32,8 +41,9 @@ void BlastMaps<dim>::declare_parameters(ParameterHandler &prm)
                "Maps",
                "false",
                "Whether the fields hold peak overpressure, positive-phase "
-               "impulse, arrival and duration of the blast at every point; "
-               "they cost some per cent of the run time.");
+               "impulse, arrival and duration of the blast at every point, "
+               "not a number where none has arrived; they cost some per cent "
+               "of the run time.");
 }
 
 

@@ -5,6 +5,7 @@
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/gas/record/blast_probes.h>
 
+#include <cmath>
 #include <istream>
 #include <ostream>
 
@@ -59,12 +60,20 @@ void BlastProbes<dim>::add(const std::size_t i,
 {
   const double ambient = ambient_[i], overpressure = state.pressure - ambient;
   records_[i].add(overpressure, time, step, Record::threshold * ambient);
-  if (exposures_.empty() || records_[i].peak == 0.)
+  if (exposures_.empty())
     return;
-  exposures_[i].add_load(
-    overpressure, 0.5 * state.density * state.velocity.norm_square(), ambient);
+  ExposureRecord &exposure = exposures_[i];
+  if (state.density > ExposureRecord::densest_air)
+    exposure.give_up();
+  if (!(records_[i].peak > 0.) || std::isnan(exposure.load))
+    return;
+  exposure.add_load(overpressure,
+                    0.5 * state.density * state.velocity.norm_square(),
+                    ambient,
+                    state.products,
+                    step);
   if (exposure_ == Exposure::load_and_chest)
-    exposures_[i].add_chest(overpressure, step, ambient);
+    exposure.add_chest(overpressure, step, ambient);
 }
 
 
@@ -72,8 +81,12 @@ template <int dim>
 void BlastProbes<dim>::inherit(const std::size_t i, const Record &record)
 {
   records_[i] = record;
-  if (!exposures_.empty() && record.peak > 0.)
-    exposures_[i].continue_after(record.peak, ambient_[i]);
+  if (exposures_.empty())
+    return;
+  if (std::isnan(record.peak))
+    exposures_[i].give_up();
+  else if (record.peak > 0.)
+    exposures_[i].continue_after(record, ambient_[i]);
 }
 
 

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <optional>
@@ -152,7 +153,8 @@ namespace
   /// What each of air_injury_quantities is.
   const std::array<std::string, 5> air_injury_definitions{
     {"side-on plus dynamic pressure over the load that half survive for this "
-     "positive phase and body mass (Bowen et al. 1968)",
+     "positive phase, among products a longer one, and body mass (Bowen et al. "
+     "1968)",
      "probability of death within 24 h by lung injury of a person who stands in "
      "the open (Bowen et al. 1968)",
      "probability by the side-on peak overpressure (TNO CPR 16E, 1992)",
@@ -201,16 +203,26 @@ const std::vector<std::pair<std::string, std::string>> air_injury_quantities = {
 std::array<double, 5> air_injury_values(const AirBlast &air,
                                         const double body_mass)
 {
-  const AirInjury injury = air_injury({air.blast.peak, air.blast.duration},
-                                      air.exposure.load,
-                                      air.ambient,
-                                      body_mass);
-  return {
-    {injury.lung_exposure,
-     injury.lung_lethality,
-     injury.eardrum_rupture,
-     air.exposure.chest.largest_velocity,
-     air.total_impulse > 0. ? air.blast.impulse / air.total_impulse : 1.}};
+  if (!(air.blast.peak > 0.) || std::isnan(air.exposure.load))
+  {
+    std::array<double, 5> unknown;
+    unknown.fill(std::numeric_limits<double>::quiet_NaN());
+    return unknown;
+  }
+  const double first_phase =
+    air.exposure.is_among_products() ? std::numeric_limits<double>::quiet_NaN()
+    : air.total_impulse > 0.         ? air.blast.impulse / air.total_impulse
+                                     : 1.;
+  const AirInjury injury =
+    air_injury({air.blast.peak, air.exposure.duration(air.blast.duration)},
+               air.exposure.load,
+               air.ambient,
+               body_mass);
+  return {{injury.lung_exposure,
+           injury.lung_lethality,
+           injury.eardrum_rupture,
+           air.exposure.chest.largest_velocity,
+           first_phase}};
 }
 
 

@@ -89,7 +89,8 @@ void LoadGauges::declare_parameters(dealii::ParameterHandler &prm)
                  "",
                  "Gauges on the body in addition to the phantom's landmarks, "
                  "as \"name: x, y, z; name: ...\" [m]; each is moved to the "
-                 "nearest point of the surface.");
+                 "nearest point of the surface, by at most Gauge radius and "
+                 "two cells.");
   declare_double(prm,
                  "Gauge radius",
                  "0.02",
@@ -114,7 +115,8 @@ template <int dim>
 void LoadGauges::parse_parameters(dealii::ParameterHandler &prm,
                                   const RigidBody &body,
                                   const Point<dim> &lower,
-                                  const Point<dim> &upper)
+                                  const Point<dim> &upper,
+                                  const double cell)
 {
   places_.clear();
   radius_ = read_double(prm, "Gauge radius");
@@ -128,6 +130,13 @@ void LoadGauges::parse_parameters(dealii::ParameterHandler &prm,
       continue;
     const Landmark given = read_place<dim>(text);
     const Point<3> place = body.project(given.place);
+    const double away = given.place.distance(place);
+    if (away > radius_ + 2. * cell)
+      throw InputError("Loads/Gauges: \"" + given.name + "\" is " +
+                       brief(away) + " m from the surface of the body, " +
+                       "more than Gauge radius and two cells of " +
+                       brief(cell) + " m; the nearest point of it is " +
+                       to_text(place));
     if (!is_inside(place, lower, upper))
       throw InputError("Loads/Gauges: the surface point nearest to \"" +
                        given.name + "\", " + to_text(place) +
@@ -241,7 +250,9 @@ void LoadGauges::end_sample(const double time,
   std::vector<NamedValue> row = {{"time", "s", time}};
   for (std::size_t i = 0; i < records_.size(); ++i)
   {
-    row.push_back({places_[i].name, "Pa", records_[i].sum / duration});
+    const double mean = records_[i].sum / duration;
+    row.push_back({places_[i].name, "Pa", mean});
+    records_[i].sample_peak = std::max(records_[i].sample_peak, mean);
     records_[i].sum = 0.;
   }
   if (!writes || places_.empty() || folder_.empty())
@@ -249,6 +260,16 @@ void LoadGauges::end_sample(const double time,
   if (!file_)
     open_file();
   file_->add_row(row);
+}
+
+
+double LoadGauges::largest_peak_loss() const
+{
+  double loss = 0.;
+  for (const Record &record : records_)
+    if (record.blast.peak > 0.)
+      loss = std::max(loss, 1. - record.sample_peak / record.blast.peak);
+  return loss;
 }
 
 
@@ -368,7 +389,8 @@ std::string LoadGauges::description() const
   template void LoadGauges::parse_parameters(dealii::ParameterHandler &, \
                                              const RigidBody &,          \
                                              const Point<dim> &,         \
-                                             const Point<dim> &)
+                                             const Point<dim> &,         \
+                                             double)
 
 CONTRECOUP_INSTANTIATE(1);
 CONTRECOUP_INSTANTIATE(2);

@@ -2,7 +2,9 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/parameters/selections.h>
 #include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/log.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/gas/record/blast_maps.h>
 #include <contrecoup/gas/record/gauge_tables.h>
@@ -13,6 +15,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace contrecoup::gas
@@ -96,15 +99,16 @@ void ProbeRasters<dim>::parse_parameters(ParameterHandler &prm,
                                          const GasScene<dim> &scene)
 {
   rasters_.clear();
+  is_in_body_.clear();
   {
     const Section loads(prm, "Loads");
     body_mass_ = read_double(prm, "Body mass");
   }
   std::vector<dealii::Point<dim>> places;
   const Section section(prm, "Probes");
-  parse_list("Lines", prm.get("Lines"), 1, places);
+  parse_list("Lines", prm.get("Lines"), 1, scene.body, places);
   if (dim > 1 || !prm.get("Gauge planes").empty())
-    parse_list("Gauge planes", prm.get("Gauge planes"), 2, places);
+    parse_list("Gauge planes", prm.get("Gauge planes"), 2, scene.body, places);
   const bool wanted = prm.get_bool("Injury");
   if (wanted && places.empty() && prm.get("Points").empty())
     throw InputError("Probes/Injury: there are no probes to show injuries at; "
@@ -121,6 +125,7 @@ template <int dim>
 void ProbeRasters<dim>::parse_list(const std::string &entry,
                                    const std::string &text,
                                    const unsigned int n_counts,
+                                   const RigidBody &body,
                                    std::vector<dealii::Point<dim>> &places)
 {
   for (const auto &item : split(text, ';'))
@@ -160,9 +165,17 @@ void ProbeRasters<dim>::parse_list(const std::string &entry,
                          "\" must differ in two coordinates");
       raster.axes = {{axes[0], axes[1]}};
     }
+    std::uint64_t n_in_gas = 0;
     for (const auto &place : raster.places())
+    {
       places.push_back(place);
+      is_in_body_.push_back(!body.empty() && body.value(place) < -1e-9);
+      n_in_gas += is_in_body_.back() ? 0 : 1;
+    }
     rasters_.push_back(raster);
+    Selections selections;
+    selections.add("Probes/" + entry, item, "place in the gas", n_in_gas);
+    selections.require_some(MPI_COMM_SELF, "the body is there");
   }
 }
 
@@ -203,7 +216,7 @@ template <int dim>
 void ProbeRasters<dim>::inherit(const KnownRecord<dim> &record,
                                 const GasSnapshot<dim> & /*gas*/)
 {
-  for (std::size_t i = 0; i < probes_.size(); ++i)
+  for (std::size_t i = 0; i < probes_.size() && !is_taken_; ++i)
     if (const auto known = record(probes_.places()[i]))
       probes_.inherit(i, *known);
 }
@@ -234,6 +247,31 @@ void ProbeRasters<dim>::reduce_over_ranks()
   if (has_injuries())
     share(probes_.exposures(), local, communicator_);
   is_shared_ = true;
+}
+
+
+template <int dim>
+void ProbeRasters<dim>::finish()
+{
+  reduce_over_ranks();
+  if (!has_injuries())
+    return;
+  std::size_t n_reached = 0, n_going_on = 0;
+  for (std::size_t i = 0; i < probes_.size(); ++i)
+  {
+    if (is_in_body_[i] || !(probes_.records()[i].peak > 0.))
+      continue;
+    ++n_reached;
+    n_going_on += probes_.records()[i].end > 0. ? 0 : 1;
+  }
+  if (n_going_on > 0)
+    log_line("WARNING: Probes/Lines and Gauge planes: the blast has reached " +
+             std::to_string(n_reached) + " of " +
+             std::to_string(probes_.size()) + " probes, and at " +
+             std::to_string(n_going_on) +
+             " of these it presses on at the end: impulse and duration there "
+             "are those so far, injuries of lungs unknown; a later Time/End "
+             "time gives them");
 }
 
 
@@ -290,17 +328,23 @@ template <int dim>
 std::vector<double> ProbeRasters<dim>::values(const std::size_t i,
                                               const double time) const
 {
+  if (is_in_body_[i])
+    return std::vector<double>(quantities().size(),
+                               std::numeric_limits<double>::quiet_NaN());
   const BlastMeasures blast = probes_.records()[i].measures(time);
-  const auto measures = map_values(blast);
+  const auto measures = recorded_map_values(blast);
   std::vector<double> result(measures.begin(), measures.end());
-  if (has_injuries())
-    for (const double value : air_injury_values({"",
-                                                 blast,
-                                                 probes_.ambient()[i],
-                                                 probes_.exposures()[i],
-                                                 probes_.records()[i].running},
-                                                body_mass_))
-      result.push_back(value);
+  if (!has_injuries())
+    return result;
+  const ExposureRecord &exposure = probes_.exposures()[i];
+  auto injuries = air_injury_values(
+    {"", blast, probes_.ambient()[i], exposure, probes_.records()[i].running},
+    body_mass_);
+  // Both depend on a duration that is not known before the blast is over.
+  for (const unsigned int lungs : {0U, 1U})
+    if (!(probes_.records()[i].end > 0.))
+      injuries[lungs] = std::numeric_limits<double>::quiet_NaN();
+  result.insert(result.end(), injuries.begin(), injuries.end());
   return result;
 }
 

@@ -69,6 +69,25 @@ void ProbeSet<dim>::parse_parameters(ParameterHandler &prm,
 
 
 template <int dim>
+void ProbeSet<dim>::begin(const GasSnapshot<dim> &gas)
+{
+  is_continued_ = last_time_ > 0.;
+  last_time_ = gas.time;
+  add_step(gas);
+}
+
+
+template <int dim>
+void ProbeSet<dim>::inherit(const KnownRecord<dim> &record,
+                            const GasSnapshot<dim> & /*gas*/)
+{
+  for (std::size_t i = 0; i < probes_.size() && !is_continued_; ++i)
+    if (const auto known = record(places()[i]))
+      probes_.inherit(i, *known);
+}
+
+
+template <int dim>
 void ProbeSet<dim>::add_step(const GasSnapshot<dim> &gas)
 {
   if (!places().empty())
@@ -125,19 +144,21 @@ ProbeSet<dim>::measures(const ReferenceSolution<dim> &reference) const
   const auto found = blasts();
   for (std::size_t i = 0; i < found.size(); ++i)
   {
-    const auto add = [&](const std::string &prefix,
-                         const BlastMeasures &measures,
-                         const bool with_unknown) {
-      const auto numbers = map_values(measures);
-      for (std::size_t k = 0; k < numbers.size(); ++k)
-        if (with_unknown || numbers[k] != 0.)
-          values.push_back({probe_name(i, prefix + map_quantities[k].first),
-                            map_quantities[k].second,
-                            numbers[k]});
-    };
-    add("", found[i], true);
-    if (reference.has_arrivals())
-      add("reference_", reference.arrival(places()[i]), false);
+    const auto add =
+      [&](const std::string &name, const std::size_t k, double value) {
+        values.push_back({probe_name(i, name + map_quantities[k].first),
+                          map_quantities[k].second,
+                          value});
+      };
+    const auto numbers = recorded_map_values(found[i]);
+    for (std::size_t k = 0; k < numbers.size(); ++k)
+      add("", k, numbers[k]);
+    if (!reference.has_arrivals())
+      continue;
+    const auto exact = map_values(reference.arrival(places()[i]));
+    for (std::size_t k = 0; k < exact.size(); ++k)
+      if (exact[k] != 0.)
+        add("reference_", k, exact[k]);
   }
   return values;
 }
@@ -153,7 +174,7 @@ std::vector<NamedValue> ProbeSet<dim>::errors(const GasSnapshot<dim> &gas) const
   const auto found = blasts();
   for (std::size_t i = 0; i < found.size(); ++i)
   {
-    const auto computed = map_values(found[i]);
+    const auto computed = recorded_map_values(found[i]);
     const auto exact = map_values(reference.arrival(places()[i]));
     for (std::size_t k = 0; k < exact.size(); ++k)
       if (exact[k] != 0.)

@@ -7,6 +7,7 @@
 #include <contrecoup/base/system/timers.h>
 #include <contrecoup/base/system/version.h>
 #include <contrecoup/gas/record/wall_loads.h>
+#include <contrecoup/gas/scene/scene_places.h>
 #include <contrecoup/io/file/checked_file.h>
 #include <contrecoup/io/output/load_file.h>
 #include <contrecoup/io/output/load_series.h>
@@ -63,19 +64,20 @@ template <int dim>
 void WallLoads<dim>::parse_parameters(ParameterHandler &prm,
                                       const GasScene<dim> &scene)
 {
+  const auto &mesh = scene.coarse_mesh;
   const Section section(prm, "Loads");
   active_ = prm.get_bool("Record");
   interval_ = read_double(prm, "Interval");
   largest_loss_ = read_double(prm, "Largest loss of peaks");
   smallest_ = read_double(prm, "Smallest overpressure");
-  if (active_ && scene.body.empty())
+  if (!active_)
+    return;
+  if (scene.body.empty())
     throw InputError("Loads/Record = true needs a Rigid body/Kind other than "
                      "none");
-  if (active_)
-    gauges_.parse_parameters(prm,
-                             scene.body,
-                             scene.coarse_mesh.lower_corner(),
-                             scene.coarse_mesh.upper_corner());
+  const double cell = cell_at_body(mesh, scene.body, scene.scheme.n_points);
+  gauges_.parse_parameters(
+    prm, scene.body, mesh.lower_corner(), mesh.upper_corner(), cell);
 }
 
 
@@ -407,7 +409,7 @@ void WallLoads<dim>::write_measures()
     values[3].push_back(measures.duration);
     highest = std::max(highest, measures.peak);
   }
-  totals_.peak_loss = 0.;
+  totals_.peak_loss = gauges_.largest_peak_loss();
   for (const Record &record : records_)
     if (record.blast.peak > counted_fraction * highest)
       totals_.peak_loss = std::max(totals_.peak_loss,

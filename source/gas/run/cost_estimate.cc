@@ -190,17 +190,16 @@ CostEstimate estimate_cost(const GasScene<dim> &scene,
   const Scheme &scheme = scene.scheme;
   const CoarseRate coarse =
     mesh.is_axis_aligned() ? rate_in_box(scene) : rate_in_cells(scene);
-  CostEstimate result;
-  result.cells =
+  const double n_leaves =
     scene.body.empty()
       ? coarse.n_cells * std::pow(2., dim * mesh.initial_refinement())
       : n_leaves_with_body(mesh, scene.body);
-  result.unknowns =
-    result.cells * scene.layout.n_points * scene.layout.n_components;
+  CostEstimate result;
+  result.cells = n_leaves * scene.layout.n_points;
+  result.unknowns = result.cells * scene.layout.n_components;
   result.memory = result.unknowns * bytes_per_unknown(scheme);
   if (has_maps)
-    result.memory +=
-      result.cells * scene.layout.n_points * sizeof(BlastRecord<float>);
+    result.memory += result.cells * sizeof(BlastRecord<float>);
 
   const unsigned int levels = std::max(
     adaptation.active ? adaptation.max_level : mesh.initial_refinement(),

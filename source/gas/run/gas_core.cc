@@ -5,6 +5,8 @@
 #include <contrecoup/base/system/collective.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/gather.h>
+#include <contrecoup/base/system/log.h>
+#include <contrecoup/base/system/text.h>
 #include <contrecoup/base/system/timers.h>
 #include <contrecoup/gas/conditions/profile_field.h>
 #include <contrecoup/gas/record/gas_measures.h>
@@ -31,6 +33,31 @@ namespace
   void read_number(std::istream &stream, Number &number)
   {
     stream.read(reinterpret_cast<char *>(&number), sizeof(number));
+  }
+
+
+  /// Speed that no gas reaches which a detonation drives [m/s]; products that
+  /// expand into a vacuum have some 1e4.
+  constexpr double impossible_speed = 1e7;
+
+  /// @throws NumericsError when the step falls as in void cells between the
+  /// products of a charge and thin air, whose energy stays when their mass has
+  /// left: with linear reconstruction this happens where few cells resolve the
+  /// charge.
+  /// @param speed largest sum of the speeds of flow and sound [m/s]
+  void require_possible_speed(const double speed,
+                              const double cell,
+                              const double time)
+  {
+    if (speed > impossible_speed)
+      throw NumericsError(
+        "At time " + brief(time) + " s signals travel at " + brief(speed) +
+        " m/s: between the products of a charge and the thin air around it "
+        "cells have lost nearly all their mass, and steps would not end; use "
+        "cells smaller than " +
+        brief(cell) +
+        " m, at least eight along the radius of the charge, Method/"
+        "Reconstruction = constant, or denser air");
   }
 } // namespace
 
@@ -71,6 +98,10 @@ void GasCore<dim>::parse_parameters(ParameterHandler &prm)
   if (afterburn_.active() && scene_.material.is_ideal())
     throw InputError("Charges/Afterburn needs Material/Equation of state = "
                      "jwl in air, which has products");
+  if (const auto start = afterburn_.start(); start >= scene_.end_time)
+    log_line("WARNING: Charges/Afterburn/Start time = " + brief(*start) +
+             " s is not before Time/End time = " + brief(scene_.end_time) +
+             " s: nothing burns on");
 }
 
 
@@ -223,6 +254,11 @@ StepReport GasCore<dim>::advance(const double largest_step)
 {
   const auto rates = stepper_->largest_rates(adaptation_->size_ratios());
   const double stable = stepper_->stable_step(rates.all);
+  if (!scene_.charges.empty())
+  {
+    const double cell = smallest_subcell()[0];
+    require_possible_speed(rates.all * cell / dim, cell, time_);
+  }
   const double n_before = quiet_leaves_->n_possible();
   const auto result =
     stepper_->advance(field_, time_, std::min(stable, largest_step));

@@ -153,7 +153,7 @@ namespace
                                const unsigned int q,
                                const double time)
   {
-    return map_values(maps.record(leaf, q).measures(time));
+    return recorded_map_values(maps.record(leaf, q).measures(time));
   }
 } // namespace
 

@@ -12,6 +12,7 @@
 #include <contrecoup/gas/run/gas_checkpoint.h>
 #include <contrecoup/gas/run/gas_simulation.h>
 #include <contrecoup/gas/run/run_profile.h>
+#include <contrecoup/gas/scene/scene_selections.h>
 #include <contrecoup/gas/state/leaf_sampling.h>
 #include <contrecoup/io/file/checked_file.h>
 
@@ -58,8 +59,10 @@ void GasSimulation<dim>::parse_parameters(ParameterHandler &prm)
 {
   scene_.parse_parameters(prm);
   core_.parse_parameters(prm);
+  check_selections(prm, scene_.coarse_mesh, scene_.body);
   recorders_.for_each(
     [&](auto &recorder) { recorder.parse_parameters(prm, scene_); });
+  warn_of_unknown_records();
   output_.parse_parameters(prm, scene_.coarse_mesh);
   const Section section(prm, "Output");
   profile_file_ = prm.get("Profile file");
@@ -69,6 +72,29 @@ void GasSimulation<dim>::parse_parameters(ParameterHandler &prm)
     throw InputError("Output/Profile file: only domains with spherical, "
                      "cylindrical or axisymmetric geometry and no rigid body "
                      "have a profile");
+}
+
+
+template <int dim>
+void GasSimulation<dim>::warn_of_unknown_records() const
+{
+  const auto *profile = scene_.initial_state.profile();
+  if (profile == nullptr || has_records(profile->profile()))
+    return;
+  const auto known = records_of(*profile);
+  std::size_t n_unknown = 0;
+  const auto count = [&](const std::vector<dealii::Point<dim>> &places) {
+    for (const auto &place : places)
+      n_unknown += known(place) ? 1 : 0;
+  };
+  count(recorders_.template get<ProbeSet<dim>>().places());
+  count(recorders_.template get<ProbeRasters<dim>>().places());
+  if (n_unknown > 0 || recorders_.template get<BlastMaps<dim>>().wanted())
+    log_line("WARNING: Initial state/Profile/File has no maps: peak, impulse, "
+             "arrival and duration within its blast, at " +
+             std::to_string(n_unknown) +
+             " of the probes, stay unknown (not a number); its own run records "
+             "them with Output/Maps = true");
 }
 
 
@@ -207,8 +233,9 @@ WorkForecast GasSimulation<dim>::expected_work(const double end_time)
 template <int dim>
 std::pair<std::uint64_t, std::uint64_t> GasSimulation<dim>::size() const
 {
-  const auto leaves = static_cast<std::uint64_t>(core_.mesh().n_global());
-  return {leaves, leaves * scene_.layout.n_points * scene_.layout.n_components};
+  const std::uint64_t cells =
+    std::uint64_t(core_.mesh().n_global()) * scene_.layout.n_points;
+  return {cells, cells * scene_.layout.n_components};
 }
 
 

@@ -7,33 +7,38 @@
 #include <contrecoup/gas/hand_over/profile_extraction.h>
 #include <contrecoup/gas/run/run_profile.h>
 
+#include <limits>
+
 namespace contrecoup::gas
 {
 namespace
 {
-  /// Names of the maps of a profile with the members of BlastRecord.
-  using Record = BlastRecord<double>;
-  const std::vector<std::pair<std::string, double Record::*>> record_maps = {
-    {"peak_overpressure", &Record::peak},
-    {"arrival", &Record::arrival},
-    {"running_impulse", &Record::running},
-    {"impulse", &Record::impulse},
-    {"end", &Record::end}};
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  /// Record of a wave that was not recorded: no number becomes known later.
+  constexpr BlastRecord<double> unknown_record = {nan, nan, nan, nan, nan};
 } // namespace
+
+
+bool has_records(const Profile &profile)
+{
+  return profile.data().maps.count(record_names[0]) > 0;
+}
 
 
 template <int dim>
 KnownRecord<dim> records_of(const ProfileField<dim> &profile)
 {
+  using Record = BlastRecord<double>;
   return [&profile](const dealii::Point<dim> &place) -> std::optional<Record> {
     const auto here = profile.window(place, {});
-    if (profile.profile().data().maps.count(record_maps[0].first) == 0 ||
-        profile.is_beyond(here))
+    if (profile.is_beyond(here))
       return {};
-    Record record;
-    for (const auto &[name, number] : record_maps)
-      record.*number = profile.profile().map_value(name, here.place, 0.);
-    return record;
+    if (!has_records(profile.profile()))
+      return unknown_record;
+    std::array<double, Record::n_values> numbers;
+    for (unsigned int v = 0; v < numbers.size(); ++v)
+      numbers[v] = profile.profile().map_value(record_names[v], here.place, 0.);
+    return Record{numbers[0], numbers[1], numbers[2], numbers[3], numbers[4]};
   };
 }
 
@@ -45,22 +50,16 @@ ProfileData make_profile(const GasCore<dim> &core, const BlastMaps<dim> &maps)
     throw InputError("The profile cannot be made before all explosive has "
                      "burned; end the run, or hand over, later");
   const GasScene<dim> &scene = core.scene();
-  ProfileData data = extract_profile(
-    core.mesh(), scene.points, core.field(), scene.material, scene.ambient());
+  ProfileData data = extract_profile(core.mesh(),
+                                     scene.points,
+                                     core.field(),
+                                     scene.material,
+                                     scene.ambient(),
+                                     maps);
   data.time = core.time();
   data.material = scene.material_words;
   data.afterburn_fraction = core.afterburn().fraction();
   data.afterburn_released = core.afterburn().released();
-  // 1-D meshes are uniform: their subcells are the cells of the profile.
-  const std::size_t n = data.values[0].size();
-  if (dim == 1 && !maps.empty())
-    for (const auto &[name, number] : record_maps)
-      for (std::size_t cell = 0; cell < n; ++cell)
-      {
-        const auto record =
-          maps.record(cell / scene.layout.n, cell % scene.layout.n);
-        data.maps[name].push_back(converted<double>(record).*number);
-      }
   data.version = version() + " (" + git_revision() + ")";
   return data;
 }

@@ -58,6 +58,9 @@ void GasScene<dim>::parse_parameters(ParameterHandler &prm)
   }
   const Section section(prm, "Time");
   end_time = read_double(prm, "End time");
+  if (body.is_required())
+    for (const std::string &line : charges.late_burns(end_time))
+      log_line(line);
 }
 
 

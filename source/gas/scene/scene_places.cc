@@ -6,6 +6,7 @@
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/gas/explosive/charge.h>
+#include <contrecoup/gas/scene/box_search.h>
 #include <contrecoup/gas/scene/scene_places.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -23,70 +24,6 @@ namespace
     {"x low", "x high", "y low", "y high", "z low", "z high"};
 
   template <int dim>
-  struct Box
-  {
-    dealii::Point<dim> lower, upper;
-
-    dealii::Point<dim> center() const
-    {
-      return dealii::Point<dim>((lower + upper) * 0.5);
-    }
-    double radius() const
-    {
-      return 0.5 * lower.distance(upper);
-    }
-  };
-
-
-  /// Result of a search: a position; that there is none; or, with neither, that
-  /// the search was inconclusive.
-  template <int dim>
-  struct Finding
-  {
-    std::optional<dealii::Point<dim>> place;
-    bool is_nowhere = true;
-  };
-
-
-  /// Searches a box for a position where @p function, which is Lipschitz
-  /// continuous with constant 1, is below @p bound. Boxes whose centre value
-  /// excludes such a position are dropped, others are bisected in all
-  /// directions until their radius is below @p tolerance.
-  template <int dim, typename Function>
-  Finding<dim> find_below(const Box<dim> &box,
-                          const double bound,
-                          const double tolerance,
-                          const Function &function)
-  {
-    const dealii::Point<dim> middle = box.center();
-    const double value = function(middle), radius = box.radius();
-    if (value < bound)
-      return {middle, false};
-    if (value - radius >= bound)
-      return {};
-    Finding<dim> result;
-    result.is_nowhere = radius > tolerance;
-    for (unsigned int c = 0; c < (1U << dim) && radius > tolerance; ++c)
-    {
-      Box<dim> half = box;
-      bool is_twin = false; // of a box that is flat in a direction
-      for (unsigned int d = 0; d < dim; ++d)
-        is_twin =
-          is_twin || (((c >> d) & 1U) != 0 && box.lower[d] == box.upper[d]);
-      if (is_twin)
-        continue;
-      for (unsigned int d = 0; d < dim; ++d)
-        ((c >> d) & 1U ? half.lower : half.upper)[d] = middle[d];
-      const Finding<dim> found = find_below(half, bound, tolerance, function);
-      if (found.place)
-        return found;
-      result.is_nowhere = result.is_nowhere && found.is_nowhere;
-    }
-    return result;
-  }
-
-
-  template <int dim>
   std::string text_of(const dealii::Point<dim> &point)
   {
     std::vector<std::string> words;
@@ -96,25 +33,10 @@ namespace
   }
 
 
-  /// Longest edge of the smallest subcells at the body [m].
-  template <int dim>
-  double cell_at_body(ParameterHandler &prm,
-                      const CoarseMesh<dim> &mesh,
-                      const RigidBody &body)
+  unsigned int subcells_of(ParameterHandler &prm)
   {
-    unsigned int subcells = 1;
-    {
-      const Section section(prm, "Method");
-      subcells = read_unsigned(prm, "Subcells");
-    }
-    double edge = 0.;
-    for (unsigned int d = 0; d < dim; ++d)
-      edge = std::max(edge,
-                      (mesh.upper_corner()[d] - mesh.lower_corner()[d]) /
-                        mesh.coarse_cells(d));
-    const int halvings =
-      static_cast<int>(mesh.initial_refinement() + body.most_levels());
-    return std::ldexp(edge, -halvings) / std::max(1U, subcells);
+    const Section section(prm, "Method");
+    return read_unsigned(prm, "Subcells");
   }
 
 
@@ -371,6 +293,22 @@ namespace
 
 
 template <int dim>
+double cell_at_body(const CoarseMesh<dim> &mesh,
+                    const RigidBody &body,
+                    const unsigned int subcells)
+{
+  double edge = 0.;
+  for (unsigned int d = 0; d < dim; ++d)
+    edge = std::max(edge,
+                    (mesh.upper_corner()[d] - mesh.lower_corner()[d]) /
+                      mesh.coarse_cells(d));
+  const int halvings =
+    static_cast<int>(mesh.initial_refinement() + body.most_levels());
+  return std::ldexp(edge, -halvings) / std::max(1U, subcells);
+}
+
+
+template <int dim>
 void check_places(ParameterHandler &prm,
                   const GasMaterial &material,
                   const CoarseMesh<dim> &mesh,
@@ -385,7 +323,7 @@ void check_places(ParameterHandler &prm,
   {
     check_within(one, mesh);
     if (!body.empty() && body.is_required())
-      check_apart(one, body, mesh, cell_at_body(prm, mesh, body));
+      check_apart(one, body, mesh, cell_at_body(mesh, body, subcells_of(prm)));
   }
 }
 
@@ -403,7 +341,7 @@ std::vector<std::string> remarks_on_cuts(ParameterHandler &prm,
   }
   if (!mesh.is_axis_aligned())
     return lines;
-  const double cell = cell_at_body(prm, mesh, body);
+  const double cell = cell_at_body(mesh, body, subcells_of(prm));
   const Section section(prm, "Boundaries");
   for (unsigned int side = 0; side < 2 * dim; ++side)
   {
@@ -446,6 +384,8 @@ double largest_charge_extent(ParameterHandler &prm,
 
 
 #define CONTRECOUP_INSTANTIATE(dim)                                  \
+  template double cell_at_body(                                      \
+    const CoarseMesh<dim> &, const RigidBody &, unsigned int);       \
   template void check_places(ParameterHandler &,                     \
                              const GasMaterial &,                    \
                              const CoarseMesh<dim> &,                \

@@ -161,8 +161,11 @@ def check_finite(output):
             check_table(path)
             continue
         for name, values in samples.read(path).items():
-            reason = samples.flaw(values, may_miss=path.endswith(".vti"))
-            if reason:
+            # Nothing is known where no blast has arrived.
+            reason = samples.flaw(values,
+                                  may_miss=path.endswith((".vti", ".vtu")))
+            may_lack_all = "gauges_" in path or "_maps" in path
+            if reason and not (may_lack_all and "no numbers" in reason):
                 raise Failed(f"{path}: {name} {reason}")
 
 
@@ -183,7 +186,7 @@ def check_table(path):
                 finite = math.isfinite(float(value))
             except ValueError:
                 finite = True
-            if not finite:
+            if not finite and not (value == "nan" and "gauges_line" in path):
                 raise Failed(f"{path}:{number}: {','.join(row)}")
 
 

@@ -373,8 +373,12 @@ TEST(ProfileExtraction, HasTheTotalsOfTheField)
   run.set_state(ball);
   const auto rest = run.totals();
   run.steps(50);
-  const auto data = extract_profile<1>(
-    run.mesh, run.points, run.field, run.material, background<1>());
+  const auto data = extract_profile<1>(run.mesh,
+                                       run.points,
+                                       run.field,
+                                       run.material,
+                                       background<1>(),
+                                       BlastMaps<1>());
   const Profile profile(data);
   EXPECT_LT(profile.end(0), 0.9);
   const double volume = 4. / 3. * dealii::numbers::PI;
@@ -393,8 +397,12 @@ TEST(ProfileExtraction, HasTheTotalsOfTheField)
   flat.set_state(ball);
   flat.steps(10);
   const auto totals = flat.totals();
-  const Profile raster(extract_profile<2>(
-    flat.mesh, flat.points, flat.field, flat.material, background<2>()));
+  const Profile raster(extract_profile<2>(flat.mesh,
+                                          flat.points,
+                                          flat.field,
+                                          flat.material,
+                                          background<2>(),
+                                          BlastMaps<2>()));
   const double cylinder = 2. * dealii::numbers::PI;
   EXPECT_NEAR(raster.totals()[0] + cylinder * ambient_density,
               totals.at("mass"),

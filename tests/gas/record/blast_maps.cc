@@ -4,6 +4,7 @@
 #include <contrecoup/gas/octree/leaf_box.h>
 #include <contrecoup/gas/record/blast_map_transfer.h>
 #include <contrecoup/gas/run/gas_checkpoint.h>
+#include <contrecoup/gas/state/exposure_record.h>
 
 #include "gas_run.h"
 #include <gtest/gtest.h>
@@ -109,6 +110,43 @@ TEST(BlastRecord, NoiseIsNoBlast)
   EXPECT_NEAR(seen.arrival, 1., 2e-3);
   EXPECT_EQ(follow([](const double t) { return -1e3 * t; }, 1., 0.1).peak, 0.);
   EXPECT_EQ(follow([](const double) { return 99.; }, 1., 0.1).impulse, 0.);
+}
+
+
+TEST(BlastRecord, WhatNobodySawStaysUnknown)
+{
+  const double nan = std::nan("");
+  BlastRecord<double> record = {nan, nan, nan, nan, nan};
+  record.add(1e5, 1e-3, 1e-4, 100.);
+  record.add(-1e5, 1.1e-3, 1e-4, 100.);
+  for (const double value : recorded_map_values(record.measures(2e-3)))
+    EXPECT_TRUE(std::isnan(value));
+  // Nor is anything known where no blast has arrived.
+  for (const double value :
+       recorded_map_values(BlastRecord<double>().measures(2e-3)))
+    EXPECT_TRUE(std::isnan(value));
+}
+
+
+TEST(ExposureRecord, LastsLongerAmongProducts)
+{
+  // A phase of 40 us, and another 0.1 ms after it has fallen below zero.
+  const auto duration = [](const double products) {
+    ExposureRecord record;
+    for (unsigned int i = 1; i <= 24; ++i)
+      record.add_load(i <= 4    ? 5e6
+                      : i <= 14 ? -5e4
+                                : 1e6,
+                      0.,
+                      101325.,
+                      products,
+                      1e-5);
+    EXPECT_EQ(record.load, 5e6);
+    EXPECT_NEAR(record.load_impulse, 300., 1e-9);
+    return record.duration(4e-5);
+  };
+  EXPECT_EQ(duration(0.), 4e-5);
+  EXPECT_NEAR(duration(1.), 300. / 0.113 / 5e6, 1e-12);
 }
 
 

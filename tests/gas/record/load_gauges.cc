@@ -45,7 +45,8 @@ LoadGauges make_gauges(const std::vector<std::string> &lines)
   body.parse_parameters(prm);
   LoadGauges gauges;
   const Section section(prm, "Loads");
-  gauges.parse_parameters(prm, body, Point<3>(-2, -2, -2), Point<3>(2, 2, 2));
+  gauges.parse_parameters(
+    prm, body, Point<3>(-2, -2, -2), Point<3>(2, 2, 2), 0.02);
   return gauges;
 }
 
@@ -389,7 +390,7 @@ TEST(GaugeTables, TellWhatAWaveDoesToAPersonInTheAir)
 
   // The motion of the chest and the 4 psi of training where they are asked for.
   ExposureRecord unknown;
-  unknown.continue_after(20e3, 101325.);
+  unknown.continue_after({20e3, 1e-3, 40., 40., 6e-3}, 101325.);
   std::istringstream more(air_injury_table(
     {{"probe 1", wave, 101325., exposure, 500.},
      {"probe 2", {20e3, 40., 1e-3, 5e-3}, 101325., unknown, 40.}},

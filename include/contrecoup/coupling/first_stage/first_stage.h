@@ -6,6 +6,7 @@
 #include <contrecoup/coupling/first_stage/first_stage_parameters.h>
 #include <contrecoup/gas/run/gas_simulation.h>
 
+#include <functional>
 #include <memory>
 
 namespace contrecoup::coupling
@@ -31,8 +32,11 @@ public:
   virtual std::vector<NamedValue>
   history(const std::array<double, 3> &ambient) = 0;
 
-  /// States at the probes of the scene.
-  virtual std::vector<gas::GasState<dim>> probes() = 0;
+  /// Calls @p take with the number and the state of each of the positions that
+  /// lies in the domain of the stage; the gas at the others is still at rest.
+  virtual void for_each_place(
+    const std::function<void(std::size_t, const gas::GasState<dim> &)>
+      &take) = 0;
 
   /// Blast as predicted by the stage's plan, before its first step.
   struct Blast
@@ -62,7 +66,7 @@ public:
 /**
  * Creates the first stage.
  * @param scene all entries; @p declare declares them
- * @param probes positions of the scene's probes [m]
+ * @param places positions at which the scene records the gas [m]
  */
 template <int dim>
 std::unique_ptr<FirstStage<dim>>
@@ -70,6 +74,6 @@ make_first_stage(const ParameterHandler &scene,
                  const std::function<void(ParameterHandler &)> &declare,
                  const FirstStageParameters &parameters,
                  const FirstStageLayout<dim> &plan,
-                 const std::vector<dealii::Point<dim>> &probes,
+                 const std::vector<dealii::Point<dim>> &places,
                  const MPI_Comm communicator);
 } // namespace contrecoup::coupling

@@ -80,7 +80,8 @@ private:
   /// @throws InputError when an axisymmetric stage would hand over before its
   /// spherical stage does.
   void check_hand_over_order() const;
-  void read_probes();
+  /// Records the state at all places after a step of the first stage [s].
+  void read_probes(const double step);
   /// Distance of the front to the nearest side at which "auto" hands over [m].
   double margin() const;
   /// Distance of the front from the charge at the hand-over, unless the time

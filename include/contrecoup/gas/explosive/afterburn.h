@@ -9,6 +9,7 @@
 #include <contrecoup/materials/gas_material.h>
 
 #include <iosfwd>
+#include <optional>
 
 namespace contrecoup::gas
 {
@@ -36,6 +37,14 @@ public:
   bool active() const
   {
     return kind_ != Kind::none;
+  }
+
+  /// Time before which nothing is released [s]; none if nothing is at all or
+  /// the law has no such time.
+  std::optional<double> start() const
+  {
+    return kind_ == Kind::constant ? std::optional<double>(start_)
+                                   : std::nullopt;
   }
 
   /// Released fraction L [-].

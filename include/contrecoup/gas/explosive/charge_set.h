@@ -76,6 +76,9 @@ public:
     return ambient_pressure_;
   }
 
+  /// Warnings, one for each charge of which some burns after @p end_time [s].
+  std::vector<std::string> late_burns(const double end_time) const;
+
   /// Signed distance from the nearest charge [m], negative inside.
   double signed_distance(const dealii::Point<dim> &point) const;
 

@@ -5,6 +5,7 @@
 
 #include <contrecoup/gas/conditions/profile.h>
 #include <contrecoup/gas/octree/leaf_points.h>
+#include <contrecoup/gas/record/blast_maps.h>
 #include <contrecoup/gas/state/gas_field.h>
 #include <contrecoup/gas/state/gas_state.h>
 #include <contrecoup/materials/gas_material.h>
@@ -24,6 +25,10 @@ disturbed_box(const LeafMesh<dim> &mesh,
               const GasField &field,
               const std::vector<double> &ambient);
 
+/// Names in ProfileData::maps of the numbers of a BlastRecord, in their order
+/// there.
+extern const std::array<std::string, 5> record_names;
+
 /**
  * Extracts the profile of a field in spherical, cylindrical or axisymmetric
  * geometry: its disturbed_box() on a raster of subcells of the finest
@@ -31,6 +36,7 @@ disturbed_box(const LeafMesh<dim> &mesh,
  * ranks get the whole profile. The caller adds time, material and version.
  *
  * @param ambient the ambient state, at rest
+ * @param maps become those of the profile; may be empty
  * @throws InputError in plane geometry and when nothing is disturbed
  */
 template <int dim>
@@ -38,5 +44,6 @@ ProfileData extract_profile(const LeafMesh<dim> &mesh,
                             const LeafPoints<dim> &points,
                             const GasField &field,
                             const GasMaterial &material,
-                            const GasState<dim> &ambient);
+                            const GasState<dim> &ambient,
+                            const BlastMaps<dim> &maps);
 } // namespace contrecoup::gas

@@ -134,4 +134,7 @@ extern const std::vector<std::pair<std::string, std::string>> map_quantities;
 
 /// The values of map_quantities.
 std::array<double, 4> map_values(const BlastMeasures &measures);
+
+/// The same of a record: not a number where no blast has arrived.
+std::array<double, 4> recorded_map_values(const BlastMeasures &measures);
 } // namespace contrecoup::gas

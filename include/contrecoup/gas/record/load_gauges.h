@@ -35,13 +35,16 @@ public:
 
   /// Reads these entries, and keeps the landmarks of the body that lie in the
   /// box from @p lower to @p upper; in 2-D those in the plane z = 0.
+  /// @param cell edge of the subcells at the body [m]
   /// @throws InputError for text that defines no gauges, positions outside of
-  /// the box, and equal names.
+  /// the box or farther from the surface of the body than the radius of a gauge
+  /// and two cells, and equal names.
   template <int dim>
   void parse_parameters(dealii::ParameterHandler &prm,
                         const RigidBody &body,
                         const dealii::Point<dim> &lower,
-                        const dealii::Point<dim> &upper);
+                        const dealii::Point<dim> &upper,
+                        const double cell);
 
   void set_folder(const std::string &folder)
   {
@@ -78,6 +81,9 @@ public:
   /// Completes a sample of length @p duration [s].
   /// @param writes whether this rank writes the file
   void end_sample(const double time, const double duration, const bool writes);
+
+  /// Largest part of a gauge's peak that its samples miss [-].
+  double largest_peak_loss() const;
 
   /// Writes buffered samples to the file. @throws SystemError
   void flush();
@@ -118,9 +124,10 @@ private:
   struct Record
   {
     BlastRecord<double> blast;
-    double peak_time = 0.; ///< [s]
-    double last = 0.;      ///< overpressure at the end of the last step [Pa]
-    double sum = 0.;       ///< time integral over the current sample [Pa s]
+    double peak_time = 0.;   ///< [s]
+    double last = 0.;        ///< overpressure at the end of the last step [Pa]
+    double sum = 0.;         ///< time integral over the current sample [Pa s]
+    double sample_peak = 0.; ///< largest sample [Pa]
   };
 
   void add_place(const std::string &name,

@@ -22,20 +22,41 @@ public:
   static void declare_parameters(dealii::ParameterHandler &prm);
 
   /// @throws InputError for text that cannot be parsed, for probes outside of
-  /// the domain, and for injuries that are asked for without probes.
+  /// the domain, for a line or plane that lies in the body, and for injuries
+  /// that are asked for without probes.
   void parse_parameters(dealii::ParameterHandler &prm,
                         const GasScene<dim> &scene) override;
 
   void mesh_changed(const GasSnapshot<dim> &gas) override;
+  /// Does nothing after take(), which has recorded all that came before.
   void inherit(const KnownRecord<dim> &record,
                const GasSnapshot<dim> &gas) override;
   void add_step(const GasSnapshot<dim> &gas) override;
+
+  /// Positions of all probes [m].
+  const std::vector<dealii::Point<dim>> &places() const
+  {
+    return probes_.places();
+  }
+
+  /// Records the state at probe @p i at the end @p time of a step [s] that was
+  /// sampled elsewhere, equal on all ranks.
+  void take(const std::size_t i,
+            const GasState<dim> &state,
+            const double time,
+            const double step)
+  {
+    probes_.add(i, state, time, step);
+    is_taken_ = true;
+  }
 
   /// Writes lines as gauges_line_N.csv and planes as gauges_plane_N.vti.
   /// @throws SystemError when the disk is full
   void write(const GasSnapshot<dim> &gas, const std::string &folder) override;
 
   void reduce_over_ranks() override;
+  /// Says at how many probes the blast was not over.
+  void finish() override;
   void save(std::ostream &stream, const std::string &folder) const override;
   void load(std::istream &stream, const std::string &folder) override;
 
@@ -54,6 +75,7 @@ private:
   void parse_list(const std::string &entry,
                   const std::string &text,
                   const unsigned int n_counts,
+                  const RigidBody &body,
                   std::vector<dealii::Point<dim>> &places);
   bool has_injuries() const
   {
@@ -61,7 +83,7 @@ private:
   }
   /// Names and units of values().
   std::vector<std::pair<std::string, std::string>> quantities() const;
-  /// What is known of probe @p i at @p time [s].
+  /// What is known of probe @p i at @p time [s]; else not a number.
   std::vector<double> values(const std::size_t i, const double time) const;
   void write_line(const std::string &file,
                   const Raster &raster,
@@ -72,8 +94,10 @@ private:
 
   double body_mass_ = 78.5; ///< [kg]
   std::vector<Raster> rasters_;
+  std::vector<bool> is_in_body_; ///< whether each probe is, without gas
   BlastProbes<dim> probes_;
   MPI_Comm communicator_ = MPI_COMM_SELF;
   bool is_shared_ = true; ///< whether every rank has all records
+  bool is_taken_ = false; ///< whether take() was called
 };
 } // namespace contrecoup::gas

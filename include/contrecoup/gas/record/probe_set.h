@@ -33,10 +33,10 @@ public:
   {
     probes_.mesh_changed(gas);
   }
-  void begin(const GasSnapshot<dim> &gas) override
-  {
-    add_step(gas);
-  }
+  void begin(const GasSnapshot<dim> &gas) override;
+  /// Does nothing where take() has recorded all that came before.
+  void inherit(const KnownRecord<dim> &record,
+               const GasSnapshot<dim> &gas) override;
   void add_step(const GasSnapshot<dim> &gas) override;
 
   /// As add_step(), for states at @p time [s] that were sampled elsewhere, one
@@ -83,9 +83,10 @@ public:
 
 private:
   BlastProbes<dim> probes_;
-  std::string folder_;      ///< of the results; empty in first stages
-  double body_mass_ = 78.5; ///< [kg]
-  double last_time_ = 0.;   ///< [s]
+  std::string folder_;        ///< of the results; empty in first stages
+  double body_mass_ = 78.5;   ///< [kg]
+  double last_time_ = 0.;     ///< [s]
+  bool is_continued_ = false; ///< whether take() preceded begin()
   std::vector<GasState<dim>> states_;
 };
 } // namespace contrecoup::gas

@@ -76,6 +76,10 @@ public:
   {
     return plan_.found();
   }
+  ProbeRasters<dim> &probe_rasters()
+  {
+    return recorders_.template get<ProbeRasters<dim>>();
+  }
   ProbeSet<dim> &probe_set()
   {
     return recorders_.template get<ProbeSet<dim>>();
@@ -106,6 +110,8 @@ public:
   }
 
 private:
+  void warn_of_unknown_records() const;
+
   GasScene<dim> scene_;
   GasCore<dim> core_;
   Recorders<dim> recorders_;

@@ -12,6 +12,13 @@
 
 namespace contrecoup::gas
 {
+/// Longest edge of the smallest subcells at the body [m].
+/// @param subcells along the edge of a leaf
+template <int dim>
+double cell_at_body(const CoarseMesh<dim> &mesh,
+                    const RigidBody &body,
+                    const unsigned int subcells);
+
 /**
  * Checks the positions of charges and rigid body before meshing. Rejects a
  * charge outside of the domain, a charge of given mass that the domain cuts

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <contrecoup/gas/state/blast_record.h>
 #include <contrecoup/numerics/injury/blast_injury.h>
 #include <contrecoup/numerics/injury/chest_wall.h>
 
@@ -13,24 +14,61 @@ namespace contrecoup::gas
 {
 /**
  * What a person who stands at one position would be exposed to, updated once
- * per step from the arrival of the blast on: the largest load_in_flow(), and
- * the motion of the chest wall under the overpressure there. Replaces the
- * histories that measures of injury would need otherwise.
+ * per step from the arrival of the blast on: load_in_flow(), its largest value
+ * and its impulse, and the motion of the chest wall under the overpressure
+ * there. Replaces the histories that measures of injury would need otherwise.
+ * Where matter passes that is denser than densest_air, within a charge or
+ * beside it, nobody stands: nothing is known there, not a number.
  */
 struct ExposureRecord
 {
-  static constexpr unsigned int n_values = 6;
+  static constexpr unsigned int n_values = 8;
+
+  /// Density that no shock in air reaches [kg/m^3].
+  static constexpr double densest_air = 100.;
 
   double load = 0.; ///< largest so far [Pa]
   double last = 0.; ///< overpressure at the end of the last step [Pa]
   ChestWall chest;
+  double load_impulse = 0.; ///< [Pa s]
+  double products = 0.;     ///< largest mass fraction so far [-]
 
-  /// Adds overpressure and dynamic pressure [Pa] at the end of a step.
+  /// Adds overpressure and dynamic pressure [Pa] and the mass fraction of
+  /// products at the end of a step [s].
   void add_load(const double overpressure,
                 const double dynamic,
-                const double ambient)
+                const double ambient,
+                const double fraction,
+                const double step)
   {
-    load = std::max(load, load_in_flow(overpressure, dynamic, ambient));
+    const double now = load_in_flow(overpressure, dynamic, ambient);
+    load = std::max(load, now);
+    load_impulse += now * step;
+    products = std::max(products, fraction);
+  }
+
+  /**
+   * Duration of the load for Bowen's curves [s]: the @p positive_phase of the
+   * overpressure. Among the products of an explosive, which overexpand, the
+   * overpressure soon falls below zero and rises again, its first phase lasts
+   * the shorter the nearer the charge, and by it people beside the charge would
+   * live. There it is at least load_impulse over 0.113 load: so long as that of
+   * the wave at the edge of the products, which has this shape, so that the
+   * probability of death falls with the distance (computed for 1 kg of TNT,
+   * Composition B and ANFO in cells of 4 mm).
+   */
+  double duration(const double positive_phase) const
+  {
+    constexpr double shape = 0.113;
+    return is_among_products()
+             ? std::max(positive_phase, load_impulse / shape / load)
+             : positive_phase;
+  }
+
+  /// Whether the products of an explosive have reached the place.
+  bool is_among_products() const
+  {
+    return products > 0.5;
   }
 
   /// Follows the chest through a step [s] that ends with @p overpressure [Pa].
@@ -41,13 +79,20 @@ struct ExposureRecord
     last = overpressure;
   }
 
-  /// Continues where a simple wave of @p peak overpressure [Pa] has been
-  /// recorded without this: the load is standing_load(), and the motion of the
-  /// chest stays unknown, not a number.
-  void continue_after(const double peak, const double ambient)
+  /// Continues where a simple wave of a known @p record has been recorded
+  /// without this: the load is standing_load(), and the motion of the chest
+  /// stays unknown, not a number.
+  void continue_after(const BlastRecord<double> &record, const double ambient)
   {
-    load = standing_load(peak, ambient);
+    load = standing_load(record.peak, ambient);
+    load_impulse = record.running;
     chest.largest_velocity = std::numeric_limits<double>::quiet_NaN();
+  }
+
+  /// Forgets all: the place is not one for people.
+  void give_up()
+  {
+    load = chest.largest_velocity = std::numeric_limits<double>::quiet_NaN();
   }
 };
 } // namespace contrecoup::gas
