@@ -68,7 +68,7 @@ contrecoup_add_application_test(refuses_large_holes refusal
 contrecoup_add_application_test(refuses_organs_in_a_box refusal
   FILE anatomy/extremes/flawed_box.prm SET "Body/Surface/Organs=phantom"
     "Body/Scale=4"
-  MESSAGE "the surface must be that of one adult from the soles to the vertex")
+  MESSAGE "the surface must be that of one person from the soles to the vertex")
 contrecoup_add_application_test(refuses_unknown_facing refusal
   FILE anatomy/extremes/flawed_box.prm SET "Body/Surface/Facing=north"
   MESSAGE "allowed: found, or a number from -360 to 360")
@@ -76,6 +76,20 @@ contrecoup_add_application_test(refuses_missing_surface refusal
   FILE anatomy/quickstart.prm
   SET "Body/Kind=surface" "Body/Surface/File=/nowhere/body.stl"
   MESSAGE "there is no such file")
+
+# Hexahedra of one's own, in mm.
+set(_two_cubes "Body/Kind=mesh" "Body/Mesh/Unit=mm"
+  "Body/Mesh/File=${CMAKE_CURRENT_SOURCE_DIR}/meshes/two_cubes.msh")
+contrecoup_add_application_test(own_mesh bounds
+  FILE anatomy/quickstart.prm
+  SET ${_two_cubes} "Body/Mesh/Tissues=inside: brain; 2: skull = skeleton"
+    "Output/Pictures=false"
+  BOUNDS "cells == 2" "facets == 10" "parts == 2" "connected_components == 1"
+    "volume > 1.999999e-6" "volume < 2.000001e-6")
+contrecoup_add_application_test(refuses_coarsening_of_own_mesh refusal
+  FILE anatomy/quickstart.prm
+  SET ${_two_cubes} "Body/Mesh/Tissues=1-2: brain" "Mesh/Coarsening levels=1"
+  MESSAGE "Body/Kind = mesh has its own hexahedra")
 
 # Images that Debian's mricron-data ships.
 contrecoup_add_application_test(colin_head bounds

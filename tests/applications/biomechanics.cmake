@@ -368,4 +368,10 @@ contrecoup_add_application_test(inverted_element refusal
   FILE biomechanics/quickstart.prm
   ARGUMENTS "--set" "Mesh/Kind=file"
     "--set" "Mesh/File=${CMAKE_CURRENT_SOURCE_DIR}/meshes/inverted_hexahedron.msh"
+    "--set" "Mesh/Tissues=3: skeleton"
   MESSAGE "hexahedron 1 of")
+contrecoup_add_application_test(group_without_tissue refusal
+  FILE biomechanics/quickstart.prm
+  ARGUMENTS "--set" "Mesh/Kind=file"
+    "--set" "Mesh/File=${CMAKE_CURRENT_SOURCE_DIR}/meshes/inverted_hexahedron.msh"
+  MESSAGE "Mesh/Tissues gives these groups of cells no tissue: 3")

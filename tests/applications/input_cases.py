@@ -153,14 +153,14 @@ def refused_other_files():
                shipped(BAR, entry("Loads/Recorded/File", name)), reason)
     for name, reason in reasons + [
             (OTHER, "its name must end as that of a surface"),
-            ("other.stl", "cannot be read as .stl"),
-            ("short.stl", "cannot be read as .stl"),
+            ("other.stl", "cannot be read as STL"),
+            ("short.stl", "cannot be read as STL"),
             ("other.ply", "cannot be read as PLY")]:
         yield (f"{name} as surface", "anatomy",
                shipped(ANATOMY, entry("Body/Kind", "surface"),
                        entry("Body/Surface/File", name)), reason)
-    for name, reason in reasons + [(OTHER, "it must be NIfTI-1"),
-                                   ("short.nii", "it must be NIfTI-1")]:
+    for name, reason in reasons + [(OTHER, "its header is none of NIfTI-1"),
+                                   ("short.nii", "its header is none of NIfTI-1")]:
         yield (f"{name} as image", "anatomy",
                shipped(ANATOMY, entry("Body/Kind", "image"),
                        entry("Body/Image/Labels", "1: brain"),

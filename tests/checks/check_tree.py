@@ -30,7 +30,7 @@ for _upper in ("ale", "coupling", "study"):
 # The rooms of a layer, lowest first: each may include itself and those before.
 ROOMS = {"base": ["lanes", "system", "parameters", "run"],
          "numerics": ["scheme", "element", "exact", "injury"],
-         "geometry": ["image", "shape", "body", "mesh"],
+         "geometry": ["image", "shape", "mesh", "body"],
          "io": ["file", "run", "output", "application"],
          "gas": ["octree", "state", "conditions", "explosive", "scene", "body",
                  "stage", "galerkin", "finite_volume", "stepping", "record",

@@ -4,14 +4,16 @@
 #include <contrecoup/base/parameters/parameter_tree.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/geometry/body/body_description.h>
-#include <contrecoup/geometry/shape/grid_distance.h>
 
+#include "nifti_content.h"
 #include <gtest/gtest.h>
 #include <zlib.h>
 
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <random>
+#include <sstream>
 
 using namespace contrecoup;
 using dealii::Point;
@@ -19,70 +21,48 @@ using dealii::Tensor;
 
 namespace
 {
-/// What says where voxels are in space.
-enum class Form
+/// Voxel axis of each direction right, forward, up, and its sign.
+struct StorageOrder
 {
-  matrix,
-  quaternion,
-  none
+  std::array<unsigned int, 3> axis;
+  std::array<int, 3> sign;
 };
 
-/// A NIfTI-1 file of 16-bit numbers, in mm, with voxels of these sizes, the
-/// first axis to the left (-x of NIfTI), the second to the front, the third up;
-/// without a form the first is to the right.
-struct Header
+/// A box of 6 x 4 x 2 voxels of 1 mm around one of 2 x 2 x 2, from the origin
+/// to the right, forward and up.
+std::string make_box(const StorageOrder &order)
 {
-  std::array<short, 3> size;
-  std::array<float, 3> spacing{{1.F, 1.F, 1.F}};
-  float oblique = 0.F;
-  short frames = 1;
-  Form form = Form::matrix;
-  std::array<float, 3> place{{0.F, 0.F, 0.F}}; ///< of the first voxel
-  char unit = 2;                               ///< 1: m, 2: mm, 3: micrometre
-  float slope = 0.F, intercept = 0.F;
-};
-
-std::string make_nifti(const Header &h,
-                       const std::vector<short> &values,
-                       const bool is_pair = false)
-{
-  std::string bytes(is_pair ? 348 : 352, '\0');
-  const auto put = [&](const std::size_t offset, const auto number) {
-    std::copy_n(
-      reinterpret_cast<const char *>(&number), sizeof(number), &bytes[offset]);
+  const auto is_between = [](const int x, const int first, const int last) {
+    return x >= first && x <= last;
   };
-  put(0, 348);
-  const short dimensions = h.frames > 1 ? 4 : 3;
-  const std::array<short, 5> dim{
-    {dimensions, h.size[0], h.size[1], h.size[2], h.frames}};
-  for (unsigned int d = 0; d < 5; ++d)
-    put(40 + 2 * d, dim[d]);
-  put(70, short(4));  // 16-bit integers
-  put(72, short(16)); // their bits
-  for (unsigned int d = 0; d < 3; ++d)
-    put(80 + 4 * d, h.spacing[d]);
-  put(108, is_pair ? 0.F : 352.F);
-  put(112, h.slope);
-  put(116, h.intercept);
-  bytes[123] = h.unit;
-  put(252, short(h.form == Form::quaternion));
-  put(254, short(h.form == Form::matrix));
-  // Half a turn around the second axis, and the third one reversed.
-  put(76, -1.F);
-  put(260, 1.F);
-  put(280, -h.spacing[0]);
-  put(284, h.oblique);
-  put(300, h.spacing[1]);
-  put(320, h.spacing[2]);
+  const std::array<int, 3> first{{-2, -3, -1}}, size{{10, 9, 5}};
+  Header header{{{0, 0, 0}}};
+  std::array<std::array<float, 4>, 3> rows{};
   for (unsigned int d = 0; d < 3; ++d)
   {
-    put(268 + 4 * d, h.place[d]);
-    put(292 + 16 * d, h.place[d]);
+    header.size[order.axis[d]] = static_cast<short>(size[d]);
+    rows[d][order.axis[d]] = static_cast<float>(order.sign[d]);
+    rows[d][3] =
+      static_cast<float>(order.sign[d] > 0 ? first[d] : first[d] + size[d] - 1);
   }
-  bytes.replace(344, 3, is_pair ? "ni1" : "n+1");
-  const std::string data(reinterpret_cast<const char *>(values.data()),
-                         2 * values.size());
-  return is_pair ? bytes : bytes + data;
+  std::vector<short> values;
+  std::array<int, 3> voxel, x;
+  for (voxel[2] = 0; voxel[2] < header.size[2]; ++voxel[2])
+    for (voxel[1] = 0; voxel[1] < header.size[1]; ++voxel[1])
+      for (voxel[0] = 0; voxel[0] < header.size[0]; ++voxel[0])
+      {
+        for (unsigned int d = 0; d < 3; ++d)
+          x[d] =
+            static_cast<int>(rows[d][3]) + order.sign[d] * voxel[order.axis[d]];
+        const bool is_inside = is_between(x[0], 0, 5) &&
+                               is_between(x[1], 0, 3) && is_between(x[2], 0, 1);
+        const bool is_inner =
+          is_inside && is_between(x[0], 1, 2) && is_between(x[1], 1, 2);
+        values.push_back(is_inner ? 2 : (is_inside ? 1 : 0));
+      }
+  std::string bytes = make_nifti(header, values);
+  std::memcpy(&bytes[280], rows.data(), sizeof(rows));
+  return bytes;
 }
 
 class Images : public ::testing::Test
@@ -148,25 +128,6 @@ protected:
 
 const Header small{{{3, 2, 2}}, {{2.F, 3.F, 4.F}}};
 const std::vector<short> small_labels{1, 0, 2, 1, 1, 2, 1, 0, 2, 1, 3, 3};
-
-VoxelMask ball_mask(const unsigned int n, const double radius)
-{
-  VoxelMask mask{{{n, n, n}}, {{0.1, 0.1, 0.1}}, {}};
-  for (unsigned int k = 0; k < n; ++k)
-    for (unsigned int j = 0; j < n; ++j)
-      for (unsigned int i = 0; i < n; ++i)
-        mask.inside.push_back(
-          0.1 * Point<3>(i, j, k).distance(Point<3>(n, n, n) * 0.5) < radius);
-  return mask;
-}
-
-Tensor<2, 3> diagonal(const double spacing)
-{
-  Tensor<2, 3> axes;
-  for (unsigned int d = 0; d < 3; ++d)
-    axes[d][d] = spacing;
-  return axes;
-}
 } // namespace
 
 
@@ -272,12 +233,113 @@ TEST_F(Images, PlacedImagesKeepTheirLabels)
 }
 
 
+TEST_F(Images, IntegersOf64BitsAreRead)
+{
+  Header header = small;
+  header.bits = 64;
+  for (const short type : {1024, 1280})
+  {
+    header.type = type;
+    const std::vector<std::int64_t> labels(small_labels.begin(),
+                                           small_labels.end());
+    const BodyPointer body =
+      create({"Image/File=" + write("a.nii", make_nifti(header, labels)),
+              "Image/Labels=1: brain; 2-3: skeleton"});
+    EXPECT_EQ(body->part_at({0., 0., 0.}), 0);
+    EXPECT_EQ(body->part_at({0., 0.004, 0.}), 1);
+  }
+}
+
+
+TEST_F(Images, CompressedContentIsReadUnderAnyName)
+{
+  const std::string table = "Image/Labels=1: brain; 2-3: skeleton";
+  const std::string whole = make_nifti(small, small_labels);
+  for (const std::string &file :
+       {write_compressed("compressed.nii", whole), write("a.nii.gz", whole)})
+    EXPECT_EQ(create({"Image/File=" + file, table})->part_at({0., 0.004, 0.}),
+              1);
+  // Half of a compressed file.
+  const Header header{{{20, 20, 20}}};
+  std::mt19937 generator(3);
+  std::vector<short> labels;
+  for (unsigned int i = 0; i < 8000; ++i)
+    labels.push_back(static_cast<short>(1 + generator() % 3));
+  write_compressed("large.nii.gz", make_nifti(header, labels));
+  std::ostringstream bytes;
+  bytes << std::ifstream(folder_ / "large.nii.gz", std::ios::binary).rdbuf();
+  const std::string cut = bytes.str().substr(0, bytes.str().size() / 2);
+  const std::string message =
+    refusal({"Image/File=" + write("cut.nii.gz", cut), table});
+  EXPECT_NE(message.find("it is cut: it has "), std::string::npos) << message;
+  EXPECT_NE(message.find("of the 16000 bytes"), std::string::npos) << message;
+}
+
+
+TEST_F(Images, ThePositionsComeFromTheFormThatSpansSpace)
+{
+  const std::string table = "Image/Labels=1: brain; 2-3: skeleton";
+  // The matrix of zeros is named by its code as well.
+  Header header = small;
+  header.form = Form::quaternion;
+  std::string bytes = make_nifti(header, small_labels);
+  bytes.replace(280, 48, std::string(48, '\0'));
+  bytes[254] = 1;
+  const BodyPointer body =
+    create({"Image/File=" + write("a.nii", bytes), table});
+  EXPECT_EQ(body->part_at({0., 0.004, 0.}), 1);
+  EXPECT_EQ(body->part_at({0., -0.004, 0.}), LabelGrid::outside);
+  ASSERT_EQ(body->remarks().size(), 1u);
+  EXPECT_NE(body->remarks()[0].find("its qform places the voxels"),
+            std::string::npos);
+
+  header.form = Form::none;
+  const BodyPointer unknown = create(
+    {"Image/File=" + write("b.nii", make_nifti(header, small_labels)), table});
+  ASSERT_EQ(unknown->remarks().size(), 1u);
+  EXPECT_EQ(unknown->remarks()[0].find("WARNING: "), 0u);
+  EXPECT_NE(unknown->remarks()[0].find("left and right are unknown"),
+            std::string::npos);
+}
+
+
+TEST_F(Images, ElementsAreTheVoxelsInAnyStorageOrder)
+{
+  for (const StorageOrder &order : {StorageOrder{{{0, 1, 2}}, {{1, 1, 1}}},
+                                    StorageOrder{{{0, 1, 2}}, {{-1, 1, 1}}},
+                                    StorageOrder{{{2, 1, 0}}, {{1, -1, 1}}}})
+  {
+    const BodyPointer body =
+      create({"Image/File=" + write("a.nii", make_box(order)),
+              "Image/Labels=1: brain; 2: skeleton"});
+    const auto box = body->surface()->bounding_box();
+    const Point<3> lower(-0.0005, -0.0055, -0.0005);
+    const Point<3> upper(0.0035, 0.0005, 0.0015);
+    EXPECT_LT(box.get_boundary_points().first.distance(lower), 1e-9);
+    EXPECT_LT(box.get_boundary_points().second.distance(upper), 1e-9);
+    for (const auto &[spacing, n_inner, n_all] :
+         {std::tuple<double, int, int>{0.001, 8, 48}, {0.0005, 64, 384}})
+    {
+      LabelGrid grid = make_grid(box, spacing);
+      body->fill(grid);
+      EXPECT_EQ(std::count(grid.labels.begin(), grid.labels.end(), 1), n_inner);
+      EXPECT_EQ(std::count(grid.labels.begin(), grid.labels.end(), 0),
+                n_all - n_inner);
+    }
+    // Between two voxels the one towards +x, +y, +z counts.
+    EXPECT_EQ(body->part_at({0.0005, -0.001, 0.}), 1);
+    EXPECT_EQ(body->part_at({0.001, -0.0005, 0.}), 0);
+    EXPECT_EQ(body->part_at({0.0025, -0.001, 0.}), 0);
+  }
+}
+
+
 TEST_F(Images, OneVoxelIsABody)
 {
   const Header one{{{1, 1, 1}}};
-  const BodyPointer body =
-    create({"Image/File=" + write("a.nii", make_nifti(one, {7})),
-            "Image/Labels=7: lung"});
+  const BodyPointer body = create(
+    {"Image/File=" + write("a.nii", make_nifti(one, std::vector<short>{7})),
+     "Image/Labels=7: lung"});
   EXPECT_LT(body->surface()->value({0., 0., 0.}), 0.);
   EXPECT_GT(body->surface()->value({0.0012, 0., 0.}), 0.);
   LabelGrid grid = make_grid(body->surface()->bounding_box(), 0.0005);
@@ -312,13 +374,16 @@ TEST_F(Images, BadImagesAreRefusedInOneLine)
   const std::string whole = make_nifti(small, small_labels);
   expect(
     refusal({"Image/File=" + write("cut.nii", whole.substr(0, 360)), table}),
-    "cannot be read");
+    "it is cut: it has 8 of the 24 bytes of voxels");
   expect(refusal({"Image/File=" +
                     write_compressed("cut.nii.gz", whole.substr(0, 360)),
                   table}),
-         "cannot be read");
+         "it is cut: it has 8 of the 24 bytes of voxels");
   expect(refusal({"Image/File=" + write("text.nii", "no image"), table}),
-         "cannot be read");
+         "its header is none of NIfTI-1");
+  expect(refusal({good, "Image/Labels=1: brain; 2-3: skeleton; 7: lung"}),
+         "Body/Image/Labels = \"7: lung\" selects no voxel of image \"" +
+           (folder_ / "a.nii").string() + "\": its labels are 0, 1, 2, 3");
   std::vector<short> twice = small_labels;
   twice.insert(twice.end(), small_labels.begin(), small_labels.end());
   Header frames = small;
@@ -390,87 +455,4 @@ TEST_F(Images, HeadsHaveTheirLayersByTheRules)
                        write("a.nii", make_nifti(small, small_labels))})
               .find("do not have the same voxels"),
             std::string::npos);
-}
-
-
-TEST(VoxelMask, DistanceIsThatOfTheNearestVoxel)
-{
-  VoxelMask mask{{{7, 5, 6}}, {{1., 0.5, 2.}}, {}};
-  std::mt19937 generator(4);
-  for (unsigned int i = 0; i < 7 * 5 * 6; ++i)
-    mask.inside.push_back(generator() % 20 == 0);
-  ASSERT_GT(mask.count(), 3u);
-  const auto center = [](const unsigned int i) {
-    return Point<3>(i % 7, 0.5 * (i / 7 % 5), 2. * (i / 35));
-  };
-  const std::vector<float> found = distance_to(mask);
-  for (unsigned int i = 0; i < found.size(); ++i)
-  {
-    double least = 1e9;
-    for (unsigned int j = 0; j < found.size(); ++j)
-      if (mask.inside[j])
-        least = std::min(least, center(i).distance(center(j)));
-    EXPECT_NEAR(found[i], least, 1e-5);
-  }
-}
-
-
-TEST(VoxelMask, HolesGapsAndPieces)
-{
-  // A box open to the bottom, with a slit in its lid, and a crumb.
-  VoxelMask mask{{{12, 12, 12}}, {{1., 1., 1.}}, {}};
-  for (unsigned int k = 0; k < 12; ++k)
-    for (unsigned int j = 0; j < 12; ++j)
-      for (unsigned int i = 0; i < 12; ++i)
-      {
-        const bool in_box = i >= 2 && i <= 9 && j >= 2 && j <= 9 && k <= 8;
-        const bool in_wall = i == 2 || i == 9 || j == 2 || j == 9 || k == 8;
-        const bool in_slit = k == 8 && i == 5 && j >= 3 && j <= 8;
-        mask.inside.push_back((in_box && in_wall && !in_slit) ||
-                              (i == 11 && j == 11 && k == 11));
-      }
-  const VoxelMask walls = largest_piece(mask);
-  EXPECT_EQ(walls.count(), mask.count() - 1);
-  EXPECT_EQ(with_filled_holes(walls).count(), walls.count());
-  const VoxelMask shut = closed(walls, 2.5);
-  EXPECT_EQ(shut.inside[5 + 12 * (5 + 12 * 8)], 1);
-  EXPECT_EQ(with_filled_holes(shut).inside[6 + 12 * (6 + 12 * 1)], 1);
-  EXPECT_EQ(with_filled_holes(shut).count(), 8u * 8u * 9u);
-}
-
-
-TEST(GridDistance, IsCloseToABallAndNeverTooLarge)
-{
-  const double radius = 0.8;
-  const VoxelMask mask = ball_mask(24, radius);
-  const GridDistance shape(mask, diagonal(0.1), Tensor<1, 3>());
-  const Point<3> center(1.2, 1.2, 1.2);
-  std::mt19937 generator(6);
-  std::uniform_real_distribution<double> place(-1., 3.4);
-  const auto sample = [&]() {
-    return Point<3>(place(generator), place(generator), place(generator));
-  };
-  for (unsigned int i = 0; i < 500; ++i)
-  {
-    const Point<3> p = sample();
-    const double exact = p.distance(center) - radius;
-    EXPECT_LE(std::abs(shape.value(p)), std::abs(exact) + 0.1) << p;
-    if (std::abs(exact) > 0.1)
-    {
-      EXPECT_EQ(shape.value(p) > 0., exact > 0.) << p;
-    }
-    if (exact > 0.1 && exact < 0.3)
-    {
-      EXPECT_GT(shape.normal(p) * (p - center) / p.distance(center), 0.8) << p;
-    }
-    for (const Point<3> &q : {sample(), p + 0.01 * (sample() - p)})
-      EXPECT_LE(std::abs(shape.value(p) - shape.value(q)),
-                p.distance(q) * (1. + 1e-6) + 1e-6);
-    EXPECT_LT((shape.gradient(p) - shape.Shape::gradient(p)).norm(), 0.05) << p;
-  }
-  for (unsigned int i = 0; i < mask.inside.size(); ++i)
-  {
-    const Point<3> p(0.1 * (i % 24), 0.1 * (i / 24 % 24), 0.1 * (i / 576));
-    EXPECT_EQ(shape.value(p) < 0., mask.inside[i] == 1);
-  }
 }

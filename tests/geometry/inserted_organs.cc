@@ -5,8 +5,10 @@
 #include <contrecoup/geometry/body/inserted_organs.h>
 #include <contrecoup/geometry/body/person_posture.h>
 #include <contrecoup/geometry/body/phantom.h>
+#include <contrecoup/geometry/mesh/hex_mesh.h>
 #include <contrecoup/geometry/shape/composed_shapes.h>
 #include <contrecoup/geometry/shape/primitive_shapes.h>
+#include <contrecoup/geometry/shape/triangulated_surface.h>
 
 #include <gtest/gtest.h>
 
@@ -118,6 +120,28 @@ TEST(InsertedOrgans, OfTheOwnSkinStayAsTheyAre)
 }
 
 
+// The surface that `anatomy` writes has steps as large as its elements.
+TEST(InsertedOrgans, OfASkinOfCubesKeepTheirSize)
+{
+  LabelGrid grid = make_grid(donor().surface()->bounding_box(), 0.012);
+  donor().fill(grid);
+  const HexMesh hexahedra = make_hex_mesh(grid, donor().parts());
+  TriangleMesh skin;
+  skin.vertices = hexahedra.nodes;
+  for (const HexMesh::Facet &facet : hexahedra.boundary)
+    for (const unsigned int v : {1, 2})
+      skin.triangles.push_back(
+        {{facet.nodes[0], facet.nodes[v], facet.nodes[v + 1]}});
+  const BodyPointer person =
+    insert_organs(filled(std::make_shared<TriangulatedSurface>(skin)),
+                  donor(),
+                  allowing(0.02));
+  const auto before = volumes(donor(), 0.006), after = volumes(*person, 0.006);
+  for (const std::string name : {"brain", "lungs", "liver"})
+    EXPECT_NEAR(after.at(name), before.at(name), 0.1 * before.at(name)) << name;
+}
+
+
 TEST(InsertedOrgans, GrowWithThePersonAndStayInPlace)
 {
   const dealii::Tensor<1, 3> shift({2., -1., 0.});
@@ -207,12 +231,12 @@ TEST(InsertedOrgans, RequireOneWholeAdult)
   const auto two = std::make_shared<Union>(
     std::vector<ShapePointer>{man, turned(man, 0., 0., 0., 1.)});
   EXPECT_NE(refusal(two).find("it must be one person"), std::string::npos);
-  EXPECT_NE(
-    refusal(std::make_shared<Sphere>(Point<3>(0., 0., 1.), 0.9)).find("adult"),
-    std::string::npos);
+  EXPECT_NE(refusal(std::make_shared<Sphere>(Point<3>(0., 0., 1.), 0.9))
+              .find("one person"),
+            std::string::npos);
   EXPECT_NE(refusal(std::make_shared<Ellipsoid>(Point<3>(0., 0., 1.),
                                                 Point<3>(0.1, 0.1, 0.9)))
-              .find("adult"),
+              .find("one person"),
             std::string::npos);
   // Where everything fits but the limit.
   OrganInsertion insertion;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/geometry/body/body.h>
 #include <contrecoup/geometry/shape/primitive_shapes.h>
 #include <contrecoup/io/file/checked_file.h>
 #include <contrecoup/io/file/hex_mesh_files.h>

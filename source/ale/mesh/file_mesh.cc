@@ -8,9 +8,10 @@
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/geometry/mesh/hex_quality.h>
 #include <contrecoup/geometry/mesh/mesh_file.h>
+#include <contrecoup/geometry/mesh/mesh_format.h>
+#include <contrecoup/geometry/mesh/triangulation_hexes.h>
 
 #include <deal.II/grid/grid_tools.h>
-#include <deal.II/numerics/rtree.h>
 
 #include <algorithm>
 #include <cmath>
@@ -82,33 +83,20 @@ namespace
           meet(own, first[part], part);
       }
   }
-
-  /// Vertices of boundary faces.
-  std::vector<Point<3>> boundary_vertices(const Mesh &mesh)
-  {
-    std::vector<bool> is_used(mesh.n_vertices(), false);
-    std::vector<Point<3>> result;
-    for (const auto &face : mesh.active_face_iterators())
-      for (unsigned int v = 0; face->at_boundary() && v < 4; ++v)
-        if (!is_used[face->vertex_index(v)])
-        {
-          is_used[face->vertex_index(v)] = true;
-          result.push_back(face->vertex(v));
-        }
-    return result;
-  }
 } // namespace
 
 
 void FileMesh::declare_parameters(ParameterHandler &prm)
 {
-  declare_file(prm,
-               "File",
-               "",
-               "Hexahedral mesh in a format that deal.II reads, with "
-               "lengths in m, as `anatomy` writes mesh.msh. Regions refer "
-               "to its materials; numbers of surface faces are names of "
-               "sides.");
+  declare_file(
+    prm,
+    "File",
+    "",
+    "Mesh of 8-node hexahedra with lengths in m, as `anatomy` writes "
+    "mesh.msh: " +
+      accepted_mesh_formats() +
+      ". Regions refer to its materials; numbers of surface faces "
+      "are names of sides.");
   declare_double(prm,
                  "Smallest scaled Jacobian",
                  "0.1",
@@ -199,25 +187,10 @@ void FileMesh::measure_cells(const Mesh &mesh, MeshStatistics &found) const
 
 void FileMesh::refuse_hanging_nodes(const Mesh &mesh) const
 {
-  // A hanging node lies at the middle of an edge or boundary face.
-  const auto vertices = boundary_vertices(mesh);
-  const auto tree = dealii::pack_rtree(vertices);
-  const auto check = [&](const Point<3> &middle, const double size) {
-    std::vector<Point<3>> nearest;
-    tree.query(boost::geometry::index::nearest(middle, 1),
-               std::back_inserter(nearest));
-    if (!nearest.empty() && nearest[0].distance(middle) < 1e-6 * size)
-      refuse("the node at " + text_of(middle) +
-             " hangs amid a larger cell, as after `anatomy` with "
-             "Mesh/Coarsening levels above 0; cells must share whole faces");
-  };
-  for (const auto &face : mesh.active_face_iterators())
-    if (face->at_boundary())
-    {
-      check(face->center(), face->diameter());
-      for (unsigned int l = 0; l < 4; ++l)
-        check(face->line(l)->center(), face->line(l)->diameter());
-    }
+  if (const auto place = find_hanging_vertex(mesh))
+    refuse("the node at " + text_of(*place) +
+           " hangs amid a larger cell, as after `anatomy` with "
+           "Mesh/Coarsening levels above 0; cells must share whole faces");
 }
 
 

@@ -17,7 +17,7 @@ void Selections::add(const std::string &entry,
 {
   const auto known =
     std::find_if(entries_.begin(), entries_.end(), [&](const Entry &one) {
-      return one.path == entry;
+      return one.path == entry && one.value == value;
     });
   if (known == entries_.end())
     entries_.push_back({entry, value, object, count});

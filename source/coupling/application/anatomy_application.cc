@@ -21,6 +21,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <optional>
 
 namespace contrecoup
 {
@@ -40,33 +41,26 @@ namespace coupling
         , begin_(std::chrono::steady_clock::now())
         , body_(parameters.body.create())
         , surface_(body_->surface())
-      {}
+      {
+        if (body_->own_mesh() &&
+            (parameters.levels > 0 || parameters.smoothing.iterations > 0))
+          throw InputError("Mesh/Coarsening levels and Mesh/Smoothing "
+                           "iterations need a body that is meshed here; "
+                           "Body/Kind = mesh has its own hexahedra");
+      }
 
       /// Logs what would be built and returns the cost estimate.
       CostEstimate check() const
       {
-        const LabelGrid grid =
-          make_grid(surface_->bounding_box(), parameters_.element_size);
-        const CostEstimate cost = estimate(grid);
-        // An estimate of so few elements may stand for none.
-        if (cost.cells < 100.)
-        {
-          LabelGrid filled = grid;
-          body_->fill(filled);
-          require_elements(std::any_of(
-            filled.labels.begin(), filled.labels.end(), [](const auto label) {
-              return label != LabelGrid::outside;
-            }));
-        }
+        const CostEstimate cost = estimate();
         show_line("anatomy would mesh the " + parameters_.body.kind() + " of " +
                   std::to_string(body_->parts().size()) + " part(s), " +
                   told_box() + ",");
-        show_line("  in hexahedra of " + brief(parameters_.element_size) +
-                  " m out of a grid of " + std::to_string(grid.size[0]) +
-                  " x " + std::to_string(grid.size[1]) + " x " +
-                  std::to_string(grid.size[2]) +
-                  (parameters_.levels > 0 ? ", here before coarsening" : "") +
-                  ", with output in " + folder_ + ":");
+        show_line(
+          (body_->own_mesh()
+             ? std::string("  in its own hexahedra")
+             : "  in hexahedra of " + brief(parameters_.element_size) + " m") +
+          ", with output in " + folder_ + ":");
         for (const std::string &line : io::cost_lines({{"anatomy", cost}}))
           show_line(line);
         for (const std::string &remark : body_->remarks())
@@ -78,21 +72,7 @@ namespace coupling
       /// Builds the mesh and writes it to the folder of @p claim.
       void execute(const std::string &parameter_text, io::FolderClaim &claim)
       {
-        LabelGrid grid =
-          make_grid(surface_->bounding_box(), parameters_.element_size);
-        body_->fill(grid);
-        SignalGuard::require_no_stop();
-        mesh_ = make_hex_mesh(grid, body_->parts(), parameters_.levels);
-        require_elements(!mesh_.cells.empty());
-        SmoothingReport smoothing;
-        if (parameters_.smoothing.iterations > 0)
-          smoothing = smooth(mesh_, parameters_.smoothing);
-        const double meshed = seconds();
-        const BodyReport report = make_report(mesh_,
-                                              grid,
-                                              *surface_,
-                                              parameters_.body.references(),
-                                              parameters_.tissue_set);
+        const BodyReport report = build();
         // From here on only the disk can fail: old results may be removed.
         SignalGuard::require_no_stop();
         claim.begin();
@@ -100,17 +80,17 @@ namespace coupling
         show_line("meshed the " + parameters_.body.kind() + ", " + told_box() +
                   ", with " + std::to_string(mesh_.cells.size()) +
                   " hexahedra and " + std::to_string(mesh_.nodes.size()) +
-                  " nodes in " + duration(meshed));
+                  " nodes in " + duration(meshed_));
         for (const std::string &remark : body_->remarks())
           log_line("  " + remark);
         if (!mesh_.hanging_nodes.empty())
           log_line("  " + std::to_string(mesh_.hanging_nodes.size()) +
                    " nodes hang between larger elements");
-        if (smoothing.n_moved > 0)
-          log_line("  smoothed " + std::to_string(smoothing.n_moved) +
+        if (smoothing_.n_moved > 0)
+          log_line("  smoothed " + std::to_string(smoothing_.n_moved) +
                    " nodes of surfaces and interfaces by at most " +
-                   brief(1e3 * smoothing.largest_displacement, 3) + " mm; " +
-                   std::to_string(smoothing.n_held_back) +
+                   brief(1e3 * smoothing_.largest_displacement, 3) + " mm; " +
+                   std::to_string(smoothing_.n_held_back) +
                    " nodes were held back for the shape of elements");
         for (const std::string &line : to_lines(report))
           log_line(line);
@@ -119,6 +99,30 @@ namespace coupling
       }
 
     private:
+      /// Builds the mesh from a grid, or takes that of the body.
+      BodyReport build()
+      {
+        std::optional<LabelGrid> grid;
+        if (const auto own = body_->own_mesh())
+          mesh_ = *own;
+        else
+        {
+          grid = make_grid(surface_->bounding_box(), parameters_.element_size);
+          body_->fill(*grid);
+          SignalGuard::require_no_stop();
+          mesh_ = make_hex_mesh(*grid, body_->parts(), parameters_.levels);
+        }
+        require_elements(!mesh_.cells.empty());
+        if (parameters_.smoothing.iterations > 0)
+          smoothing_ = smooth(mesh_, parameters_.smoothing);
+        meshed_ = seconds();
+        return make_report(mesh_,
+                           grid ? &*grid : nullptr,
+                           *surface_,
+                           parameters_.body.references(),
+                           parameters_.tissue_set);
+      }
+
       std::string path(const std::string &name) const
       {
         return folder_ + "/" + name;
@@ -139,32 +143,72 @@ namespace coupling
             " m: no element has its centre in the body, " + told_box());
       }
 
-      /// Volume of the body, from a few hundred thousand cubes [m^3].
-      double estimate_volume() const
+      /// Size of the mesh: that of the body's own hexahedra, counted in the
+      /// grid that would be meshed, or extrapolated from a coarser one if that
+      /// grid is large.
+      HexMeshSize estimate_size(const double n_cubes) const
       {
-        const auto box = surface_->bounding_box();
-        LabelGrid grid = make_grid(
-          box,
-          std::max(parameters_.element_size, std::cbrt(box.volume() / 3e5)));
+        if (const auto own = body_->own_mesh())
+          return {double(own->cells.size()), double(own->boundary.size())};
+        constexpr double most_cubes = 1e7;
+        const double coarsening = std::max(1., std::cbrt(n_cubes / most_cubes));
+        LabelGrid grid = make_grid(surface_->bounding_box(),
+                                   coarsening * parameters_.element_size);
         body_->fill(grid);
-        const auto n_empty = std::count(
-          grid.labels.begin(), grid.labels.end(), LabelGrid::outside);
-        return grid.volume() *
-               static_cast<double>(grid.labels.size() - n_empty);
+        HexMeshSize size = count_hexahedra(grid, parameters_.levels);
+        if (coarsening == 1.)
+          return size;
+        // Of the largest cubes there are as many as the volume holds, of others
+        // as the surfaces and interfaces need.
+        const double area = coarsening * coarsening;
+        const double largest = count_hexahedra(grid, 0).cells *
+                               std::ldexp(1., -3 * int(parameters_.levels));
+        size.cells =
+          (size.cells - largest) * area + largest * area * coarsening;
+        size.facets *= area;
+        return size;
       }
 
-      /// Cost before coarsening; time and disk as measured for the phantom
-      /// with elements of 10 and 5 mm.
-      CostEstimate estimate(const LabelGrid &grid) const
+      /// Bytes on disk, as measured for the phantom with elements of 3.5 to 10
+      /// mm: smoothed positions compress less.
+      double estimate_output(const HexMeshSize &size) const
       {
+        const bool is_smooth = parameters_.smoothing.iterations > 0;
+        double bytes = 2e4 + (is_smooth ? 38. : 15.) * size.cells;
+        if (parameters_.write_surface)
+          bytes += (is_smooth ? 132. : 118.) * size.facets;
+        if (parameters_.levels > 0)
+          bytes += 12. * size.cells;
+        if (parameters_.write_gmsh)
+          bytes += 116. * size.cells;
+        if (parameters_.distance_spacing > 0.)
+        {
+          auto box = surface_->bounding_box();
+          box.extend(4. * parameters_.distance_spacing);
+          bytes +=
+            3.5 * box.volume() / std::pow(parameters_.distance_spacing, 3);
+        }
+        return bytes + (parameters_.draw ? 5e5 : 0.);
+      }
+
+      CostEstimate estimate() const
+      {
+        double n_cubes = 0.;
+        if (!body_->own_mesh())
+          n_cubes =
+            make_grid(surface_->bounding_box(), parameters_.element_size)
+              .labels.size();
+        const HexMeshSize size = estimate_size(n_cubes);
+        require_elements(size.cells > 0.);
         CostEstimate cost;
-        cost.cells = estimate_volume() / grid.volume();
+        cost.cells = size.cells;
         cost.unknowns = 3. * cost.cells;
-        cost.memory =
-          6. * static_cast<double>(grid.labels.size()) + 180. * cost.cells;
+        // The libraries, labels and node numbers of the grid, then cells.
+        constexpr double libraries = 1.5e8;
+        cost.memory = libraries + 5. * n_cubes +
+                      (parameters_.levels > 0 ? 265. : 115.) * cost.cells;
         cost.seconds = 1. + (parameters_.draw ? 4. : 0.) + 3e-6 * cost.cells;
-        cost.output =
-          15. * cost.cells + 1600. * std::cbrt(cost.cells * cost.cells);
+        cost.output = estimate_output(size);
         return cost;
       }
 
@@ -274,6 +318,8 @@ namespace coupling
       BodyPointer body_;
       ShapePointer surface_;
       HexMesh mesh_;
+      SmoothingReport smoothing_;
+      double meshed_ = 0.; ///< when the mesh was ready [s]
     };
 
     void

@@ -3,6 +3,7 @@
 
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/coupling/application/body_report.h>
+#include <contrecoup/geometry/mesh/hex_components.h>
 #include <contrecoup/materials/tissue_library.h>
 
 #include <iomanip>
@@ -52,23 +53,31 @@ namespace coupling
       sum.mass += row.mass;
     }
 
-    /// Number of face-connected components of each tissue.
-    std::array<unsigned int, 256>
-    count_tissue_components(LabelGrid grid, const std::vector<BodyPart> &parts)
+    /// Number of face-connected components of the parts, or of the tissues.
+    std::array<unsigned int, 256> components_of(const HexMesh &mesh,
+                                                const LabelGrid *grid,
+                                                const bool by_tissue)
     {
-      for (unsigned char &label : grid.labels)
-        if (label != LabelGrid::outside)
-          label = static_cast<unsigned char>(parts[label].tissue);
-      return count_components(grid);
+      const auto relabel = [&](std::vector<unsigned char> labels) {
+        for (unsigned char &label : labels)
+          if (by_tissue && label != LabelGrid::outside)
+            label = static_cast<unsigned char>(mesh.parts[label].tissue);
+        return labels;
+      };
+      if (grid == nullptr)
+        return count_components(mesh, relabel(mesh.part));
+      LabelGrid labelled = *grid;
+      labelled.labels = relabel(grid->labels);
+      return count_components(labelled);
     }
 
     void add_rows(const HexMesh &mesh,
-                  const LabelGrid &grid,
+                  const LabelGrid *grid,
                   const std::string &tissue_set,
                   BodyReport &report)
     {
-      const auto part_components = count_components(grid);
-      const auto tissue_components = count_tissue_components(grid, mesh.parts);
+      const auto part_components = components_of(mesh, grid, false);
+      const auto tissue_components = components_of(mesh, grid, true);
       const std::vector<HexQuality> qualities = measure_quality(mesh);
       std::vector<ReportRow> tissues(tissue_names().size());
       ReportRow body;
@@ -122,7 +131,7 @@ namespace coupling
 
 
   BodyReport make_report(const HexMesh &mesh,
-                         const LabelGrid &grid,
+                         const LabelGrid *grid,
                          const Shape &surface,
                          const std::vector<OrganReference> &references,
                          const std::string &tissue_set)

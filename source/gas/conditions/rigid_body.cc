@@ -130,6 +130,7 @@ void RigidBody::parse_parameters(ParameterHandler &prm)
   if (kind == "body")
   {
     const BodyPointer body = read_body(prm);
+    log_warnings(*body);
     shape_ = body->surface();
     landmarks_ = body->landmarks();
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/base/system/log.h>
 #include <contrecoup/geometry/body/body.h>
 #include <contrecoup/geometry/shape/composed_shapes.h>
 #include <contrecoup/geometry/shape/primitive_shapes.h>
@@ -145,6 +146,13 @@ void ShapeBody::fill_block(LabelGrid &grid, const Block &block) const
       child.begin[d] = block.begin[d] + ((c >> d) & 1) * child.width;
     fill_block(grid, child);
   }
+}
+
+void log_warnings(const Body &body)
+{
+  for (const std::string &remark : body.remarks())
+    if (remark.rfind("WARNING: ", 0) == 0)
+      log_line(remark);
 }
 
 LabelGrid fill_shape(const Shape &shape, const double spacing)

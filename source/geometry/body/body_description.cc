@@ -53,9 +53,10 @@ void BodyDescription::declare_parameters(dealii::ParameterHandler &prm)
   declare_selection(prm,
                     "Kind",
                     "phantom",
-                    {"phantom", "shape", "surface", "image"},
+                    {"phantom", "shape", "surface", "image", "mesh"},
                     "The human phantom, a simple shape, a triangulated "
-                    "surface from a file, or a medical image.");
+                    "surface from a file, a medical image, or hexahedra from "
+                    "a file.");
   declare_selection(prm,
                     "Origin",
                     "as given",
@@ -77,8 +78,12 @@ void BodyDescription::declare_parameters(dealii::ParameterHandler &prm)
     const Section section(prm, "Surface");
     SurfaceBody::declare_parameters(prm);
   }
-  const Section section(prm, "Image");
-  ImageDescription::declare_parameters(prm);
+  {
+    const Section section(prm, "Image");
+    ImageDescription::declare_parameters(prm);
+  }
+  const Section section(prm, "Mesh");
+  MeshBodyDescription::declare_parameters(prm);
 }
 
 void BodyDescription::parse_parameters(dealii::ParameterHandler &prm)
@@ -117,6 +122,11 @@ void BodyDescription::parse_parameters(dealii::ParameterHandler &prm)
     const Section section(prm, "Image");
     from_image_.parse_parameters(prm);
   }
+  else if (kind_ == "mesh")
+  {
+    const Section section(prm, "Mesh");
+    from_mesh_.parse_parameters(prm);
+  }
   else
   {
     const Section section(prm, "Shape");
@@ -140,6 +150,8 @@ BodyPointer BodyDescription::create_unplaced() const
   }
   if (kind_ == "image")
     return from_image_.create();
+  if (kind_ == "mesh")
+    return from_mesh_.create(placement_.scale());
   return simple_.create();
 }
 

@@ -2,11 +2,15 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/parameters/selections.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/geometry/body/image_body.h>
 #include <contrecoup/geometry/shape/composed_shapes.h>
 #include <contrecoup/geometry/shape/grid_distance.h>
+
+#include <algorithm>
+#include <numeric>
 
 namespace contrecoup
 {
@@ -34,28 +38,18 @@ namespace
       throw InputError("Body/Image/Labels, row \"" + text +
                        "\": must read \"label: tissue\" or \"first-last: name "
                        "= tissue\"");
+    const std::string where = "Body/Image/Labels, row \"" + text + "\": ";
     const std::vector<std::string> ends = split(text.substr(0, colon), '-');
-    const std::vector<std::string> names = split(text.substr(colon + 1), '=');
-    if (ends.empty() || ends.size() > 2 || names.empty() || names.size() > 2)
-      throw InputError("Body/Image/Labels, row \"" + text +
-                       "\": must read \"label: tissue\" or \"first-last: name "
-                       "= tissue\"");
+    if (ends.empty() || ends.size() > 2)
+      throw InputError(where + "must read \"label: tissue\" or \"first-last: "
+                               "name = tissue\"");
     LabelRow row;
+    row.text = text;
     row.first = parse_label(ends.front(), text);
     row.last = parse_label(ends.back(), text);
     if (row.last < row.first)
-      throw InputError("Body/Image/Labels, row \"" + text +
-                       "\": its last label is below its first");
-    row.part.name = names.front();
-    try
-    {
-      row.part.tissue = find_tissue(names.back());
-    }
-    catch (const InputError &error)
-    {
-      throw InputError("Body/Image/Labels, row \"" + text +
-                       "\": " + error.what());
-    }
+      throw InputError(where + "its last label is below its first");
+    row.part = parse_body_part(text.substr(colon + 1), where);
     return row;
   }
 
@@ -82,6 +76,39 @@ namespace
       for (unsigned int label = row.first; label <= row.last; ++label)
         known[label] = true;
     return known;
+  }
+
+  /// The labels of an image in order, at most 30 of them.
+  std::string list_labels(const std::vector<std::size_t> &n_voxels)
+  {
+    std::vector<std::string> labels;
+    for (std::size_t label = 0; label < n_voxels.size(); ++label)
+      if (n_voxels[label] > 0)
+        labels.push_back(std::to_string(label));
+    constexpr std::size_t most = 30;
+    if (labels.size() > most)
+      labels[most] = "...";
+    labels.resize(std::min(labels.size(), most + 1));
+    return join(labels, ", ");
+  }
+
+  /// @throws InputError for a row whose labels no voxel has; one that excludes
+  /// labels from the body may be without
+  void require_voxels(const std::vector<LabelRow> &table,
+                      const std::vector<std::size_t> &n_voxels,
+                      const std::string &file)
+  {
+    Selections selections;
+    for (const LabelRow &row : table)
+      if (row.part.tissue != Tissue::none)
+        selections.add("Body/Image/Labels",
+                       row.text,
+                       "voxel of image \"" + file + "\"",
+                       std::accumulate(n_voxels.begin() + row.first,
+                                       n_voxels.begin() + row.last + 1,
+                                       std::uint64_t(0)));
+    selections.require_some(MPI_COMM_SELF,
+                            "its labels are " + list_labels(n_voxels));
   }
 } // namespace
 
@@ -124,6 +151,11 @@ ImageBody::ImageBody(const VoxelImage &image,
     throw InputError("image \"" + image.file +
                      "\": its axes are not at right angles to each other");
   surface_ = std::make_shared<GridDistance>(mask, image.axes, image.origin);
+  // Well above the digits that a header has for positions.
+  const double shift =
+    1e-4 * *std::min_element(mask.spacing.begin(), mask.spacing.end());
+  tie_break_ = Point<3>(shift, shift, shift);
+  set_remarks(image.remarks);
 }
 
 BodyPointer ImageBody::placed(const Placement &placement) const
@@ -145,7 +177,7 @@ unsigned char ImageBody::part_at(const Point<3> &point) const
   for (auto placement = placements_.rbegin(); placement != placements_.rend();
        ++placement)
     source = placement->pull_back(source);
-  const Tensor<1, 3> index = to_index_ * (source - origin_);
+  const Tensor<1, 3> index = to_index_ * (source + tie_break_ - origin_);
   std::array<std::size_t, 3> voxel;
   for (unsigned int d = 0; d < 3; ++d)
   {
@@ -217,6 +249,7 @@ BodyPointer ImageDescription::create_from_labels() const
   const VoxelImage image = read_image(file_);
   const std::vector<unsigned char> part_of = tabulate(table_);
   const std::vector<bool> known = known_labels(table_, part_of.size());
+  std::vector<std::size_t> n_voxels(part_of.size(), 0);
   std::vector<unsigned char> labels;
   labels.reserve(image.values.size());
   for (const float value : image.values)
@@ -231,11 +264,13 @@ BodyPointer ImageDescription::create_from_labels() const
                        brief(value, 7) +
                        ", which Body/Image/Labels does not "
                        "name");
+    ++n_voxels[label];
     const unsigned char part = part_of[label];
     const bool is_body =
       part != LabelGrid::outside && table_[part].part.tissue != Tissue::none;
     labels.push_back(is_body ? part : LabelGrid::outside);
   }
+  require_voxels(table_, n_voxels, file_);
   std::vector<BodyPart> parts;
   for (const LabelRow &row : table_)
     parts.push_back(row.part);

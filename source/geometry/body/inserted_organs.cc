@@ -9,6 +9,8 @@
 #include <contrecoup/geometry/body/person_sections.h>
 #include <contrecoup/geometry/shape/composed_shapes.h>
 #include <contrecoup/geometry/shape/primitive_shapes.h>
+#include <contrecoup/geometry/shape/triangle_smoothing.h>
+#include <contrecoup/geometry/shape/triangulated_surface.h>
 
 namespace contrecoup
 {
@@ -29,14 +31,15 @@ namespace
   {
     try
     {
-      return find_posture(skin, insertion.facing);
+      return find_posture(skin, insertion.facing, insertion.neck_height);
     }
     catch (const InputError &error)
     {
       throw InputError(
-        "Body/Surface/Organs = phantom: the surface must be that "
-        "of one adult from the soles to the vertex, but " +
-        std::string(error.what()));
+        "Body/Surface/Organs = phantom: the surface must be that of one person "
+        "from the soles to the vertex who stands or lies, but " +
+        std::string(error.what()) +
+        "; Body/Surface/Organs = none takes it as one tissue");
     }
   }
 
@@ -96,6 +99,20 @@ namespace
   }
 
 
+  /// The surface of a person without the steps of elements or voxels, from
+  /// which distances are too small. Surfaces without triangles have none.
+  ShapePointer without_steps(const ShapePointer &skin)
+  {
+    constexpr unsigned int iterations = 10;
+    const auto triangles =
+      std::dynamic_pointer_cast<const TriangulatedSurface>(skin);
+    if (triangles == nullptr)
+      return skin;
+    return std::make_shared<TriangulatedSurface>(
+      smoothed(triangles->mesh(), iterations));
+  }
+
+
   /// Brings brain and lungs below the surface of a person who stands.
   void fit(Warps &warps,
            OrganFit &organ_fit,
@@ -103,18 +120,18 @@ namespace
            const Shape &surface,
            const double scale)
   {
-    const auto points = [&](const std::string &name) {
+    const auto organ = [&](const std::string &name) {
       const Shape &shape = *find_part(donor.part_shapes(), name).shape;
       const auto box = shape.bounding_box();
-      return surface_points(shape, 0.045 * std::cbrt(box.volume()));
+      return OrganSurface(shape, 0.045 * std::cbrt(box.volume()));
     };
     const double depth = OrganFit::least_cover / scale;
-    const auto brain = points("brain"), lungs = points("lungs");
+    const OrganSurface brain = organ("brain"), lungs = organ("lungs");
     SectionWarp &trunk = warps[static_cast<unsigned int>(Region::trunk)];
     trunk = narrowed(trunk, surface, lungs, depth);
     trunk = with_head_inside(trunk, surface, brain, depth);
-    organ_fit.brain_cover = least_depth(surface, trunk, brain);
-    organ_fit.lung_cover = least_depth(surface, trunk, lungs);
+    organ_fit.brain_cover = brain.least_depth(surface, trunk);
+    organ_fit.lung_cover = lungs.least_depth(surface, trunk);
   }
 
 
@@ -264,7 +281,11 @@ BodyPointer insert_organs(const Body &recipient,
   const PersonRegions donor_regions = find_regions(*donor.surface());
   Warps warps = warp_between(donor_regions, person.regions);
   OrganFit organ_fit;
-  fit(warps, organ_fit, donor, *standing, insertion.scale);
+  fit(warps,
+      organ_fit,
+      donor,
+      PlacedShape(without_steps(recipient.surface()), to_standing),
+      insertion.scale);
   std::vector<PartShape> part_shapes = warp_organs(donor, warps);
   organ_fit.inside = part_inside(part_shapes, *standing);
   if (1. - organ_fit.inside > insertion.largest_loss)

@@ -43,10 +43,9 @@ namespace
 } // namespace
 
 
-std::vector<Point<3>> surface_points(const Shape &shape, const double spacing)
+OrganSurface::OrganSurface(const Shape &organ, const double spacing)
 {
-  const LabelGrid grid = fill_shape(shape, spacing);
-  std::vector<Point<3>> points;
+  const LabelGrid grid = fill_shape(organ, spacing);
   for (unsigned int k = 1; k + 1 < grid.size[2]; ++k)
     for (unsigned int j = 1; j + 1 < grid.size[1]; ++j)
       for (unsigned int i = 1; i + 1 < grid.size[0]; ++i)
@@ -57,25 +56,48 @@ std::vector<Point<3>> surface_points(const Shape &shape, const double spacing)
              grid.at(i, j + 1, k) == LabelGrid::outside ||
              grid.at(i, j, k - 1) == LabelGrid::outside ||
              grid.at(i, j, k + 1) == LabelGrid::outside))
-          points.push_back(shape.project(grid.center(i, j, k)));
-  return points;
+          points_.push_back(organ.project(grid.center(i, j, k)));
+  // Wider than the elements of which a surface may consist.
+  constexpr double least_radius = 0.015;
+  const double radius = std::max(least_radius, 1.5 * spacing);
+  patches_.resize(points_.size());
+  for (std::uint32_t i = 0; i < points_.size(); ++i)
+    for (std::uint32_t j = 0; j < points_.size(); ++j)
+      if (points_[i].distance_square(points_[j]) < radius * radius)
+        patches_[i].push_back(j);
 }
 
 
-double least_depth(const Shape &surface,
-                   const SectionWarp &warp,
-                   const std::vector<Point<3>> &points)
+std::vector<double> OrganSurface::depths(const Shape &surface,
+                                         const SectionWarp &warp) const
 {
-  double least = std::numeric_limits<double>::max();
-  for (const Point<3> &point : points)
-    least = std::min(least, -surface.value(warp.apply(point)));
-  return least;
+  std::vector<double> values;
+  for (const Point<3> &point : points_)
+    values.push_back(-surface.value(warp.apply(point)));
+  std::vector<double> means;
+  for (const std::vector<std::uint32_t> &patch : patches_)
+  {
+    double sum = 0.;
+    for (const std::uint32_t point : patch)
+      sum += values[point];
+    means.push_back(sum / double(patch.size()));
+  }
+  return means;
+}
+
+
+double OrganSurface::least_depth(const Shape &surface,
+                                 const SectionWarp &warp) const
+{
+  const std::vector<double> all = depths(surface, warp);
+  return all.empty() ? std::numeric_limits<double>::max()
+                     : *std::min_element(all.begin(), all.end());
 }
 
 
 SectionWarp narrowed(const SectionWarp &warp,
                      const Shape &surface,
-                     const std::vector<Point<3>> &points,
+                     const OrganSurface &organ,
                      const double depth)
 {
   constexpr unsigned int most_steps = 12;
@@ -85,13 +107,15 @@ SectionWarp narrowed(const SectionWarp &warp,
     std::vector<SectionPair> pairs = result.pairs();
     std::vector<double> factors(pairs.size(), 1.);
     bool all_fit = true;
-    for (const Point<3> &point : points)
+    const std::vector<double> depths = organ.depths(surface, result);
+    for (std::size_t n = 0; n < depths.size(); ++n)
     {
-      const Point<3> place = result.apply(point);
-      const double missing = depth + surface.value(place);
+      const double missing = depth - depths[n];
       if (missing <= 0.)
         continue;
       all_fit = false;
+      const Point<3> &point = organ.points()[n];
+      const Point<3> place = result.apply(point);
       const double station = result.frame().coordinates(point)[0];
       const SectionPair section = result.at(station);
       const auto x = result.new_frame().coordinates(place);
@@ -118,7 +142,7 @@ SectionWarp narrowed(const SectionWarp &warp,
 
 SectionWarp with_head_inside(const SectionWarp &warp,
                              const Shape &surface,
-                             const std::vector<Point<3>> &points,
+                             const OrganSurface &organ,
                              const double depth)
 {
   constexpr unsigned int most_steps = 80;
@@ -128,14 +152,15 @@ SectionWarp with_head_inside(const SectionWarp &warp,
   {
     Tensor<1, 3> move, middle;
     double n = 0., factor = 1.;
-    for (const Point<3> &point : points)
-      middle += result.apply(point) / double(points.size());
-    for (const Point<3> &point : points)
+    for (const Point<3> &point : organ.points())
+      middle += result.apply(point) / double(organ.points().size());
+    const std::vector<double> depths = organ.depths(surface, result);
+    for (std::size_t i = 0; i < depths.size(); ++i)
     {
-      const Point<3> place = result.apply(point);
-      const double missing = depth + surface.value(place);
+      const double missing = depth - depths[i];
       if (missing <= 0.)
         continue;
+      const Point<3> place = result.apply(organ.points()[i]);
       move -= missing * surface.normal(place);
       n += 1.;
       factor = std::min(factor,

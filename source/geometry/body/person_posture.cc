@@ -169,6 +169,35 @@ namespace
   };
 
 
+  /// The thin direction of trunk or hips to which feet point; across it where
+  /// arms that are held forward make the trunk appear deeper than wide.
+  Tensor<1, 3> forward_by_feet(const Feature &feature, const Tensor<1, 3> &up)
+  {
+    const Tensor<1, 3> trunk = feature.thin_direction(0.5, 0.8);
+    Tensor<1, 3> forward, feet;
+    double best = 0.;
+    for (const Tensor<1, 3> &direction :
+         {trunk, feature.thin_direction(0.5, 0.6), cross_product_3d(up, trunk)})
+    {
+      const Tensor<1, 3> toes = feature.toes(cross_product_3d(up, direction));
+      const double length = direction * toes;
+      // The first one unless another is much better.
+      constexpr double much = 1.2;
+      if (std::abs(length) > (best > 0. ? much : 1.) * best)
+      {
+        best = std::abs(length);
+        forward = length < 0. ? -direction : direction;
+        feet = toes;
+      }
+    }
+    if (!(forward * feet > 0.5 * feet.norm()))
+      throw InputError("feet and trunk point different ways: a person, and no "
+                       "other shape, is wanted, and Body/Surface/Facing, in "
+                       "degrees, says which way the person faces");
+    return forward;
+  }
+
+
   Posture find_forward(const std::vector<Point<3>> &points,
                        const Tensor<1, 3> &up,
                        const std::optional<double> facing)
@@ -183,17 +212,7 @@ namespace
       posture.forward = Tensor<1, 3>(
         {std::cos(*facing * degree), std::sin(*facing * degree), 0.});
     else
-    {
-      posture.forward = feature.thin_direction(0.5, 0.8);
-      const Tensor<1, 3> feet =
-        feature.toes(cross_product_3d(up, posture.forward));
-      if (posture.forward * feet < 0.)
-        posture.forward *= -1.;
-      if (posture.forward * feet < 0.5 * feet.norm())
-        throw InputError("feet and trunk point different ways: a person, and "
-                         "no other shape, is wanted, and Body/Surface/Facing, "
-                         "in degrees, says which way the person faces");
-    }
+      posture.forward = forward_by_feet(feature, up);
     posture.face_agrees = face * posture.forward > 0.;
     return posture;
   }
@@ -240,7 +259,8 @@ double Posture::facing() const
 
 
 PosedPerson find_posture(const Shape &surface,
-                         const std::optional<double> facing)
+                         const std::optional<double> facing,
+                         const std::optional<double> neck_height)
 {
   const auto box = surface.bounding_box();
   double size = 0.;
@@ -263,7 +283,8 @@ PosedPerson find_posture(const Shape &surface,
       const Posture posture = find_forward(points, sign * axis, facing);
       return {posture,
               find_regions(PlacedShape(ShapePointer(ShapePointer(), &surface),
-                                       posture.to_standing()))};
+                                       posture.to_standing()),
+                           neck_height)};
     }
     catch (const InputError &error)
     {

@@ -30,7 +30,7 @@ namespace
   {
   public:
     using PersonLayers::PersonLayers;
-    PersonRegions find();
+    PersonRegions find(std::optional<double> neck_height);
 
   private:
     bool is(const std::size_t voxel, const Region region) const
@@ -48,7 +48,9 @@ namespace
     std::vector<std::size_t> beyond(const std::vector<float> &distances,
                                     std::size_t tip,
                                     float distance) const;
+    std::vector<std::size_t> trunk_areas() const;
     void find_neck();
+    void set_neck(double height);
 
     PersonRegions result_;
     std::vector<int> trunk_; ///< patch of the trunk, by layer
@@ -343,30 +345,66 @@ namespace
   }
 
 
-  void RegionFinder::find_neck()
+  /// Sections of trunk, neck and head by layer, in voxels.
+  std::vector<std::size_t> RegionFinder::trunk_areas() const
   {
     std::vector<std::size_t> areas(grid_.size[2]);
     for (unsigned int layer = result_.crotch; layer < result_.vertex; ++layer)
       for (const std::size_t voxel : patches_[layer][trunk_[layer]].voxels)
-        if (grid_.labels[voxel] == static_cast<unsigned char>(Region::trunk))
+        if (is(voxel, Region::trunk))
           ++areas[layer];
-    const unsigned int height = result_.vertex - sole_;
-    const auto begin =
-      areas.begin() + result_.vertex - std::lround(0.2 * height);
-    const auto end =
-      areas.begin() + result_.vertex - std::lround(0.08 * height);
-    const auto neck = std::min_element(begin, end);
-    const std::size_t head =
-      *std::max_element(neck, areas.begin() + result_.vertex);
-    const std::size_t chest = *std::max_element(areas.begin(), neck);
-    if (result_.vertex - sole_ < 0.6 * n_layers_ || *neck > 0.8 * head ||
-        *neck > 0.5 * chest)
-      throw InputError("no neck with a head was found at its upper end");
-    result_.neck = neck - areas.begin();
+    return areas;
   }
 
 
-  PersonRegions RegionFinder::find()
+  void RegionFinder::find_neck()
+  {
+    // Parts of the height between which necks are, of children too.
+    constexpr double low = 0.75, high = 0.92;
+    // Largest section of a neck over those of head and trunk; that of a
+    // muscular neck is nearly as large as the head's.
+    constexpr double most_of_head = 0.95, most_of_trunk = 0.6;
+    const std::vector<std::size_t> areas = trunk_areas();
+    const unsigned int height = result_.vertex - sole_;
+    const auto at = [&](const double part) {
+      return areas.begin() + sole_ + std::lround(part * height);
+    };
+    const auto neck = std::min_element(at(low), at(high));
+    const double head = *std::max_element(neck, areas.begin() + result_.vertex);
+    const double trunk = *std::max_element(areas.begin(), neck);
+    if (height >= 0.6 * n_layers_ && *neck <= most_of_head * head &&
+        *neck <= most_of_trunk * trunk)
+    {
+      result_.neck = neck - areas.begin();
+      return;
+    }
+    const auto percent = [](const double part) {
+      return brief(100. * part, 3) + " %";
+    };
+    throw InputError(
+      "no neck with a head was found at its upper end: between " +
+      percent(low) + " and " + percent(high) +
+      " of the height, the least section of trunk and head is at " +
+      percent(double(neck - areas.begin() - sole_) / height) + " and has " +
+      percent(*neck / head) + " of the largest one above it and " +
+      percent(*neck / trunk) + " of that below; at most " +
+      percent(most_of_head) + " and " + percent(most_of_trunk) +
+      " are those of a neck. Body/Surface/Neck height says where it is");
+  }
+
+
+  void RegionFinder::set_neck(const double height)
+  {
+    result_.neck = sole_ + std::lround(height / grid_.spacing);
+    const double all = (result_.vertex - sole_) * grid_.spacing;
+    if (!(height > 0.6 * all && height < 0.95 * all))
+      throw InputError("Body/Surface/Neck height = " + brief(height) +
+                       " m is not between 60 and 95 % of its height of " +
+                       brief(all) + " m");
+  }
+
+
+  PersonRegions RegionFinder::find(const std::optional<double> neck_height)
   {
     find_legs();
     find_trunk();
@@ -381,7 +419,10 @@ namespace
     for (unsigned char &label : grid_.labels)
       if (label == unknown_)
         label = static_cast<unsigned char>(Region::trunk);
-    find_neck();
+    if (neck_height)
+      set_neck(*neck_height);
+    else
+      find_neck();
     result_.grid = grid_;
     result_.sole = sole_;
     return result_;
@@ -389,8 +430,9 @@ namespace
 } // namespace
 
 
-PersonRegions find_regions(const Shape &surface)
+PersonRegions find_regions(const Shape &surface,
+                           const std::optional<double> neck_height)
 {
-  return RegionFinder(surface).find();
+  return RegionFinder(surface).find(neck_height);
 }
 } // namespace contrecoup

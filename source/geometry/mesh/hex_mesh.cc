@@ -3,6 +3,9 @@
 
 #include <contrecoup/geometry/mesh/hex_mesh.h>
 
+#include <cmath>
+#include <map>
+
 namespace contrecoup
 {
 using dealii::Point;
@@ -313,5 +316,29 @@ HexMesh make_hex_mesh(const LabelGrid &grid,
   if (levels > 0)
     add_hanging_nodes(bases, numbers, mesh);
   return mesh;
+}
+
+
+HexMeshSize count_hexahedra(const LabelGrid &grid, const unsigned int levels)
+{
+  HexMeshSize size;
+  const Merging merging(grid, levels);
+  for (unsigned int k = 0; k < grid.size[2]; ++k)
+    for (unsigned int j = 0; j < grid.size[1]; ++j)
+      for (unsigned int i = 0; i < grid.size[0]; ++i)
+      {
+        if (grid.at(i, j, k) == LabelGrid::outside)
+          continue;
+        size.cells += std::ldexp(1., -3 * int(merging.level({{i, j, k}})));
+        for (const int step : {-1, 1})
+        {
+          const int x = i, y = j, z = k;
+          size.facets +=
+            (grid.label_or_outside(x + step, y, z) == LabelGrid::outside) +
+            (grid.label_or_outside(x, y + step, z) == LabelGrid::outside) +
+            (grid.label_or_outside(x, y, z + step) == LabelGrid::outside);
+        }
+      }
+  return size;
 }
 } // namespace contrecoup

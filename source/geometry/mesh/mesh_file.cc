@@ -4,7 +4,9 @@
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/readable_file.h>
 #include <contrecoup/base/system/text.h>
+#include <contrecoup/geometry/mesh/abaqus_deck.h>
 #include <contrecoup/geometry/mesh/mesh_file.h>
+#include <contrecoup/geometry/mesh/mesh_format.h>
 
 #include <deal.II/grid/grid_in.h>
 
@@ -84,10 +86,24 @@ void read_mesh_file(const std::string &path,
                      " nodes or cells");
   stream.clear();
   stream.seekg(0);
+  const std::string unusable = why_unusable_mesh(stream, ending, dim);
+  if (!unusable.empty())
+    throw InputError(where + unusable);
+  const std::string cells = dim == 3 ? "hexahedra" : "quadrilaterals";
   try
   {
     dealii::GridIn<dim> reader(mesh);
-    reader.read(stream, dealii::GridIn<dim>::parse_format(ending));
+    if (ending == "inp" && is_abaqus_deck(stream))
+    {
+      std::istringstream ucd(read_abaqus_deck(stream, dim, where).ucd);
+      reader.read_ucd(ucd);
+    }
+    else
+      reader.read(stream, dealii::GridIn<dim>::parse_format(ending));
+  }
+  catch (const InputError &)
+  {
+    throw;
   }
   catch (const std::exception &problem)
   {
@@ -95,12 +111,11 @@ void read_mesh_file(const std::string &path,
     if (dynamic_cast<
           const typename dealii::Triangulation<dim>::DistortedCellList *>(
           &problem) == nullptr)
-      throw InputError(where + "deal.II cannot read it as a mesh of " +
-                       (dim == 3 ? "hexahedra" : "quadrilaterals"));
+      throw InputError(where + "deal.II cannot read it as a mesh of " + cells +
+                       "; accepted are " + accepted_mesh_formats());
   }
   if (!mesh.all_reference_cells_are_hyper_cube())
-    throw InputError(where + "it has cells that are no " +
-                     (dim == 3 ? "hexahedra" : "quadrilaterals"));
+    throw InputError(where + "it has cells that are no " + cells);
 }
 
 
@@ -108,11 +123,14 @@ std::map<unsigned int, std::string>
 read_group_names(const std::string &path, const unsigned int dimension)
 {
   std::map<unsigned int, std::string> names;
-  if (std::filesystem::path(path).extension() != ".msh")
-    return names;
   std::ifstream stream(path);
   if (!stream)
     throw InputError(path + ": the file cannot be opened");
+  const std::string ending = std::filesystem::path(path).extension();
+  if (ending == ".inp" && is_abaqus_deck(stream))
+    return read_abaqus_deck(stream, dimension, path + ": ").groups;
+  if (ending != ".msh")
+    return names;
   bool is_inside = false;
   for (std::string line; std::getline(stream, line);)
   {

@@ -4,6 +4,8 @@
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/geometry/mesh/triangulation_hexes.h>
 
+#include <deal.II/numerics/rtree.h>
+
 namespace contrecoup
 {
 namespace
@@ -99,6 +101,21 @@ namespace
         }
     }
   }
+
+  /// Vertices of boundary faces.
+  std::vector<dealii::Point<3>> boundary_vertices(const Mesh &mesh)
+  {
+    std::vector<bool> is_used(mesh.n_vertices(), false);
+    std::vector<dealii::Point<3>> result;
+    for (const auto &face : mesh.active_face_iterators())
+      for (unsigned int v = 0; face->at_boundary() && v < 4; ++v)
+        if (!is_used[face->vertex_index(v)])
+        {
+          is_used[face->vertex_index(v)] = true;
+          result.push_back(face->vertex(v));
+        }
+    return result;
+  }
 } // namespace
 
 
@@ -122,5 +139,29 @@ HexMesh to_hex_mesh(const Mesh &triangulation,
     result.hanging_nodes.push_back(std::move(one));
   }
   return result;
+}
+
+
+std::optional<dealii::Point<3>> find_hanging_vertex(const Mesh &mesh)
+{
+  const auto vertices = boundary_vertices(mesh);
+  const auto tree = dealii::pack_rtree(vertices);
+  const auto is_vertex = [&](const dealii::Point<3> &middle,
+                             const double size) {
+    std::vector<dealii::Point<3>> nearest;
+    tree.query(boost::geometry::index::nearest(middle, 1),
+               std::back_inserter(nearest));
+    return !nearest.empty() && nearest[0].distance(middle) < 1e-6 * size;
+  };
+  for (const auto &face : mesh.active_face_iterators())
+    if (face->at_boundary())
+    {
+      if (is_vertex(face->center(), face->diameter()))
+        return face->center();
+      for (unsigned int l = 0; l < 4; ++l)
+        if (is_vertex(face->line(l)->center(), face->line(l)->diameter()))
+          return face->line(l)->center();
+    }
+  return {};
 }
 } // namespace contrecoup

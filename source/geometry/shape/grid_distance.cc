@@ -57,8 +57,15 @@ GridDistance::GridDistance(const VoxelMask &mask,
       for (unsigned int x = 0; x < mask.size[0]; ++x, ++i)
         if (mask.inside[i])
           corners.emplace_back(origin + axes * Point<3>(x, y, z));
-  box_ = dealii::BoundingBox<3>(corners);
-  box_.extend(std::max({spacing_[0], spacing_[1], spacing_[2]}));
+  // Up to the faces of voxels, whose centres are in the box so far.
+  Tensor<1, 3> half_voxel;
+  for (unsigned int row = 0; row < 3; ++row)
+    for (unsigned int column = 0; column < 3; ++column)
+      half_voxel[row] += 0.5 * std::abs(axes[row][column]);
+  const auto [lower, upper] =
+    dealii::BoundingBox<3>(corners).get_boundary_points();
+  box_ = dealii::BoundingBox<3>(
+    std::make_pair(lower - half_voxel, upper + half_voxel));
 }
 
 void GridDistance::smooth(const VoxelMask &padded)

@@ -7,7 +7,9 @@
 #include <contrecoup/base/parameters/tissue_list.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
+#include <contrecoup/geometry/mesh/hex_quality.h>
 #include <contrecoup/geometry/mesh/mesh_file.h>
+#include <contrecoup/geometry/mesh/mesh_format.h>
 #include <contrecoup/geometry/mesh/triangulation_hexes.h>
 #include <contrecoup/solid/body/mesh_description.h>
 
@@ -23,6 +25,15 @@ namespace
 {
   using dealii::Point;
   using Mesh = dealii::Triangulation<3>;
+
+  /// Of all elements [m], see characteristic_length().
+  double shortest_length(const HexMesh &mesh)
+  {
+    HexQuality all;
+    for (const HexQuality &quality : measure_quality(mesh))
+      all = all + quality;
+    return all.shortest_length;
+  }
 
   const std::vector<std::string> kinds{"box",
                                        "ball octant",
@@ -103,9 +114,9 @@ namespace
     declare_file(prm,
                  "File",
                  "",
-                 "Hexahedral mesh in a format that deal.II reads; the "
-                 "material number of a cell is that of its tissue, as "
-                 "`anatomy` writes mesh.msh.");
+                 "Mesh of 8-node hexahedra with lengths in m: " +
+                   accepted_mesh_formats() + ".");
+    MeshGroups::declare_parameters(prm);
     declare_double(prm,
                    "Element size",
                    "0.01",
@@ -225,6 +236,7 @@ void MeshDescription::parse_shape(ParameterHandler &prm)
   file_ = prm.get("File");
   if (kind_ == "file" && file_.empty())
     throw InputError("Mesh/Kind = file needs Mesh/File");
+  groups_.parse_parameters(prm, "Mesh");
   tissue_ = find_one_tissue(prm.get("Tissue"), "Mesh/Tissue");
   element_size_ = read_double(prm, "Element size");
   levels_ = read_unsigned(prm, "Coarsening levels");
@@ -248,6 +260,8 @@ double MeshDescription::estimate_elements() const
   if (kind_ == "file")
     return static_cast<double>(from_triangulation().cells.size());
   const BodyPointer body = body_.create();
+  if (const auto own = body->own_mesh())
+    return static_cast<double>(own->cells.size());
   const auto box = body->surface()->bounding_box();
   LabelGrid grid =
     make_grid(box, std::max(element_size_, std::cbrt(box.volume() / 3e5)));
@@ -286,6 +300,8 @@ double MeshDescription::estimate_step(const SolidMaterials &materials) const
     const BodyPointer body = body_.create();
     for (const BodyPart &part : body->parts())
       tissues.push_back(part.tissue);
+    if (const auto own = body->own_mesh())
+      size = shortest_length(*own);
   }
   for (const Tissue tissue : tissues)
     speed = std::max(speed, materials.find(tissue).dilatational_speed());
@@ -307,6 +323,9 @@ HexMesh MeshDescription::create() const
 HexMesh MeshDescription::from_body() const
 {
   const BodyPointer body = body_.create();
+  log_warnings(*body);
+  if (const auto own = body->own_mesh())
+    return *own;
   LabelGrid grid = make_grid(body->surface()->bounding_box(), element_size_);
   body->fill(grid);
   HexMesh mesh = make_hex_mesh(grid, body->parts(), levels_);
@@ -322,10 +341,8 @@ HexMesh MeshDescription::from_triangulation() const
   std::vector<BodyPart> parts{{kind_, tissue_}};
   if (kind_ == "file")
   {
-    parts.clear();
-    for (std::size_t i = 0; i < tissue_names().size(); ++i)
-      parts.push_back({tissue_names()[i], static_cast<Tissue>(i)});
     read_mesh_file(file_, "Mesh/File", mesh);
+    parts = groups_.assign(read_group_names(file_, 3), mesh);
     mesh.refine_global(refinements_);
   }
   else

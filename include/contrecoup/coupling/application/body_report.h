@@ -69,11 +69,12 @@ namespace coupling
    *
    * The surface area is the sum of the facet areas projected onto the normal
    * of the true surface, so that a staircase surface is not overestimated.
+   * @param grid from which the mesh was made; null for a mesh of one's own
    * @param tissue_set one of tissue_set_names()
    * @throws InputError for a tissue without properties
    */
   BodyReport make_report(const HexMesh &mesh,
-                         const LabelGrid &grid,
+                         const LabelGrid *grid,
                          const Shape &surface,
                          const std::vector<OrganReference> &references,
                          const std::string &tissue_set);

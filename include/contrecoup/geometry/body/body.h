@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include <contrecoup/base/parameters/tissues.h>
+#include <contrecoup/geometry/image/body_part.h>
 #include <contrecoup/geometry/image/label_grid.h>
 #include <contrecoup/geometry/shape/placement.h>
 #include <contrecoup/geometry/shape/shape.h>
@@ -15,12 +15,7 @@
 
 namespace contrecoup
 {
-/// A part of a body: an organ, a bone, a layer.
-struct BodyPart
-{
-  std::string name;
-  Tissue tissue;
-};
+struct HexMesh;
 
 /// A named point on the surface of a body.
 struct Landmark
@@ -35,7 +30,8 @@ struct OrganFit
   /// Parts of the volume of all organs within the surface [-]; below this one
   /// the fit is poor.
   static constexpr double least_inside = 0.97;
-  /// Least thickness of tissue over lungs and brain [m]; as above.
+  /// Least thickness of tissue over lungs and brain, as mean over patches of
+  /// 3 cm [m]; as above.
   static constexpr double least_cover = 0.008;
 
   double inside = 1.;
@@ -104,6 +100,13 @@ public:
   /// Labels every voxel of a grid with the part at its centre.
   virtual void fill(LabelGrid &grid) const = 0;
 
+  /// The hexahedra of a body that was given as such; null for others, which
+  /// are meshed from a grid.
+  virtual std::shared_ptr<const HexMesh> own_mesh() const
+  {
+    return nullptr;
+  }
+
 protected:
   std::vector<BodyPart> parts_;
 
@@ -114,6 +117,9 @@ private:
 };
 
 using BodyPointer = std::shared_ptr<const Body>;
+
+/// Logs the remarks of a body that are warnings.
+void log_warnings(const Body &body);
 
 /// A body of shapes inside an outer surface. A point inside the surface
 /// belongs to the first shape that contains it.

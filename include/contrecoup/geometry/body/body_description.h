@@ -5,6 +5,7 @@
 
 #include <contrecoup/geometry/body/body.h>
 #include <contrecoup/geometry/body/image_body.h>
+#include <contrecoup/geometry/body/mesh_body.h>
 #include <contrecoup/geometry/body/phantom.h>
 #include <contrecoup/geometry/body/simple_bodies.h>
 #include <contrecoup/geometry/body/surface_body.h>
@@ -19,8 +20,8 @@ namespace contrecoup
 {
 /**
  * A body described in a parameter file: the human phantom, a simple shape, a
- * closed surface from a file, or a medical image; then scaled, rotated and
- * shifted.
+ * closed surface from a file, a medical image, or hexahedra from a file; then
+ * scaled, rotated and shifted.
  */
 class BodyDescription
 {
@@ -60,6 +61,7 @@ private:
   SimpleBody simple_;
   SurfaceBody from_surface_;
   ImageDescription from_image_;
+  MeshBodyDescription from_mesh_;
   std::string origin_;
   Placement placement_;
 };

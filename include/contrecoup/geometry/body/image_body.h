@@ -17,6 +17,7 @@ namespace contrecoup
 /// Range of image labels that belong to one part of a body.
 struct LabelRow
 {
+  std::string text; ///< as in the table
   unsigned int first;
   unsigned int last;
   BodyPart part;
@@ -29,7 +30,8 @@ struct LabelRow
  */
 std::vector<LabelRow> parse_label_table(const std::string &text);
 
-/// A body of labelled voxels; between voxel centres the nearest counts.
+/// A body of labelled voxels; between voxel centres the nearest counts, of
+/// several the one that is farthest along the spatial axes.
 class ImageBody : public Body
 {
 public:
@@ -52,6 +54,7 @@ private:
   std::array<unsigned int, 3> size_;
   dealii::Tensor<2, 3> to_index_; ///< inverse of the axes [1/m]
   dealii::Tensor<1, 3> origin_;
+  dealii::Tensor<1, 3> tie_break_; ///< added to points [m]
   std::shared_ptr<const std::vector<unsigned char>> labels_;
   ShapePointer surface_;
   std::vector<Placement> placements_; ///< applied one after the other
@@ -70,7 +73,7 @@ public:
   void parse_parameters(dealii::ParameterHandler &prm);
 
   /// @throws InputError when images cannot be read or do not match each other,
-  /// or for labels missing in the table
+  /// or for labels missing in the table or in the image
   BodyPointer create() const;
 
 private:

@@ -16,6 +16,8 @@ struct OrganInsertion
   double largest_loss = 0.1;
   /// Angle of the person's front from +x about z, if it is known [degrees].
   std::optional<double> facing;
+  /// Height of the person's neck above the soles, if it is known [m].
+  std::optional<double> neck_height;
   /// Whether a person who lies is stood up along z, facing +x.
   bool stands_up = true;
   /// Later scale of the person, for thicknesses in m [-].

@@ -6,34 +6,52 @@
 #include <contrecoup/geometry/body/body.h>
 #include <contrecoup/geometry/shape/section_warp.h>
 
+#include <cstdint>
 #include <vector>
 
 namespace contrecoup
 {
-/// Points all over the surface of a shape, about this distance apart [m].
-std::vector<dealii::Point<3>> surface_points(const Shape &shape,
-                                             double spacing);
+/// Points on the surface of an organ. The depth of each is the mean over the
+/// patch of those around it, so that steps and dents of a person's surface that
+/// are smaller than a patch do not count.
+class OrganSurface
+{
+public:
+  /// Points about this distance apart [m].
+  OrganSurface(const Shape &organ, double spacing);
 
-/// Least depth below a surface of points that a warp has carried [m].
-double least_depth(const Shape &surface,
-                   const SectionWarp &warp,
-                   const std::vector<dealii::Point<3>> &points);
+  const std::vector<dealii::Point<3>> &points() const
+  {
+    return points_;
+  }
+
+  /// Depths of the patches below a surface after a warp has carried them [m].
+  std::vector<double> depths(const Shape &surface,
+                             const SectionWarp &warp) const;
+
+  /// The least of them [m].
+  double least_depth(const Shape &surface, const SectionWarp &warp) const;
+
+private:
+  std::vector<dealii::Point<3>> points_;
+  std::vector<std::vector<std::uint32_t>> patches_; ///< by point
+};
 
 /**
- * Narrows sections of a warp around their centres where points that it carries
- * would be less than @p depth below a surface [m].
+ * Narrows sections of a warp around their centres where an organ that it
+ * carries would be less than @p depth below a surface [m].
  */
 SectionWarp narrowed(const SectionWarp &warp,
                      const Shape &surface,
-                     const std::vector<dealii::Point<3>> &points,
+                     const OrganSurface &organ,
                      double depth);
 
 /**
  * Moves and then shrinks the head, which the last two sections of a warp hold,
- * until points in it are at least @p depth below a surface [m].
+ * until an organ in it is at least @p depth below a surface [m].
  */
 SectionWarp with_head_inside(const SectionWarp &warp,
                              const Shape &surface,
-                             const std::vector<dealii::Point<3>> &points,
+                             const OrganSurface &organ,
                              double depth);
 } // namespace contrecoup

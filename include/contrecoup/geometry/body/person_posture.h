@@ -49,10 +49,13 @@ struct PosedPerson
  * lateral, and feet point forward of the ankles.
  * @param facing angle from +x about z of a standing person, if it is known
  * [degrees]
+ * @param neck_height of the neck above the soles, if it is known [m]
  * @throws InputError for what is not one whole person, and where feet and trunk
  * do not agree
  */
-PosedPerson find_posture(const Shape &surface, std::optional<double> facing);
+PosedPerson find_posture(const Shape &surface,
+                         std::optional<double> facing,
+                         std::optional<double> neck_height = {});
 
 /// A direction as text: +x, or its components.
 std::string direction_name(const dealii::Tensor<1, 3> &direction);

@@ -7,6 +7,7 @@
 #include <contrecoup/geometry/shape/shape.h>
 
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace contrecoup
@@ -53,8 +54,11 @@ struct PersonRegions
  * Plagemann, Ganapathi, Koller and Thrun 2010). Of an arm whose hand touches
  * the body, what is beside the trunk counts.
  * @param surface upright along z; which of both sides faces +x does not matter
- * @throws InputError that says what is missing or too many: for what is not
- * one piece, has not two legs and ankles, or no neck and head
+ * @param neck_height of the neck above the soles, if it is known [m]
+ * @throws InputError that says what is missing or too many, and which section
+ * was looked at: for what is not one piece, has not two legs and ankles, or no
+ * neck and head
  */
-PersonRegions find_regions(const Shape &surface);
+PersonRegions find_regions(const Shape &surface,
+                           std::optional<double> neck_height = {});
 } // namespace contrecoup

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <contrecoup/geometry/body/body.h>
+#include <contrecoup/geometry/body/file_unit.h>
 #include <contrecoup/geometry/body/inserted_organs.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -48,12 +49,8 @@ public:
   }
 
 private:
-  /// @throws InputError for a size that suggests another unit
-  void check_size(const dealii::BoundingBox<3> &box) const;
-
   std::string file_;
-  double unit_ = 1.;            ///< [m]
-  double largest_size_ = 5.;    ///< [m]
+  FileUnit unit_;
   dealii::Tensor<1, 3> angles_; ///< [rad]
   Tissue tissue_ = Tissue::soft_tissue;
   bool has_organs_ = false;

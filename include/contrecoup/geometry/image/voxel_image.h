@@ -16,7 +16,8 @@
 namespace contrecoup
 {
 /// A medical image: voxel values and positions. Spatial axes: x forward
-/// (anterior), y to the left, z up (superior).
+/// (anterior), y to the left, z up (superior). The first voxel axis is that
+/// nearest to +x, the second that nearest to +y, the third that nearest to +z.
 struct VoxelImage
 {
   std::string file;
@@ -26,6 +27,9 @@ struct VoxelImage
   /// The centre of voxel i is axes * i + origin [m].
   dealii::Tensor<2, 3> axes;
   dealii::Tensor<1, 3> origin;
+
+  /// For users, on what the file leaves open; warnings begin with "WARNING: ".
+  std::vector<std::string> remarks;
 
   std::size_t
   index(const unsigned int i, const unsigned int j, const unsigned int k) const
@@ -38,11 +42,12 @@ struct VoxelImage
 };
 
 /**
- * Reads NIfTI-1 (.nii, .nii.gz), or pairs of header and image (.hdr, .img),
- * with the nifticlib library. Positions come from the sform, otherwise the
- * qform, otherwise from voxel sizes; unspecified units are mm.
- * @throws InputError when the file cannot be read, has colours or several
- * frames, values that are not finite, or degenerate axes
+ * Reads NIfTI-1 (.nii, or pairs of .hdr and .img), compressed or not whatever
+ * the name, with the nifticlib and zlib libraries. Positions come from the
+ * sform if its axes span a space, otherwise the qform, otherwise from voxel
+ * sizes; unspecified units are mm. Voxels are sorted along the spatial axes.
+ * @throws InputError when the file cannot be read or is cut, has colours or
+ * several frames, or degenerate axes
  */
 VoxelImage read_image(const std::string &file);
 

@@ -3,7 +3,8 @@
 
 #pragma once
 
-#include <contrecoup/geometry/body/body.h>
+#include <contrecoup/geometry/image/body_part.h>
+#include <contrecoup/geometry/image/label_grid.h>
 
 #include <array>
 #include <cstdint>
@@ -62,4 +63,14 @@ struct HexMesh
 HexMesh make_hex_mesh(const LabelGrid &grid,
                       const std::vector<BodyPart> &parts,
                       unsigned int levels = 0);
+
+/// Numbers of hexahedra and boundary facets.
+struct HexMeshSize
+{
+  double cells = 0.;
+  double facets = 0.;
+};
+
+/// Size of the mesh that make_hex_mesh() would give.
+HexMeshSize count_hexahedra(const LabelGrid &grid, unsigned int levels);
 } // namespace contrecoup

@@ -14,12 +14,14 @@ namespace contrecoup
 {
 /**
  * Reads a mesh of hexahedra or quadrilaterals with deal.II. The file name
- * extension determines the format (.msh, .inp, .ucd, .vtk, .unv).
+ * extension determines the format (.msh, .inp, .ucd, .vtk, .unv); of .inp, the
+ * content says whether it is UCD or Abaqus. The material id of a cell is the
+ * number of its group.
  * @param path of the file, lengths in m
  * @param entry parameter with the path, for error messages
- * @throws InputError when the file cannot be opened or read, has cells of
- * other shapes, or claims more nodes or cells than it has bytes; distorted
- * cells are accepted
+ * @throws InputError when the file cannot be opened or read, is binary, has
+ * cells of second order or other shapes, or claims more nodes or cells than it
+ * has bytes; distorted cells are accepted
  */
 template <int dim>
 void read_mesh_file(const std::string &path,
@@ -27,8 +29,9 @@ void read_mesh_file(const std::string &path,
                     dealii::Triangulation<dim> &mesh);
 
 /**
- * Names of the physical groups of this dimension in a Gmsh file (.msh), by
- * number, which is deal.II's material id; empty for other formats.
+ * Names of the physical groups of this dimension in a Gmsh file (.msh), or of
+ * the element sets of an Abaqus file (.inp), by number, which is deal.II's
+ * material id; empty for other formats.
  * @throws InputError when the file cannot be opened
  */
 std::map<unsigned int, std::string>

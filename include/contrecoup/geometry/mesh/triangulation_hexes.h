@@ -7,6 +7,8 @@
 
 #include <deal.II/grid/tria.h>
 
+#include <optional>
+
 namespace contrecoup
 {
 /**
@@ -16,4 +18,9 @@ namespace contrecoup
  */
 HexMesh to_hex_mesh(const dealii::Triangulation<3> &triangulation,
                     const std::vector<BodyPart> &parts);
+
+/// A vertex in the middle of an edge or a face of the boundary: the file had
+/// hanging nodes, and cells on both sides of such a face count as boundary.
+std::optional<dealii::Point<3>>
+find_hanging_vertex(const dealii::Triangulation<3> &triangulation);
 } // namespace contrecoup

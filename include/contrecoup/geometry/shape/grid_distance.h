@@ -30,6 +30,8 @@ public:
 
   double value(const dealii::Point<3> &point) const override;
   dealii::Tensor<1, 3> gradient(const dealii::Point<3> &point) const override;
+  /// The box around the faces of all voxels inside, which smoothing never
+  /// leaves.
   dealii::BoundingBox<3> bounding_box() const override;
 
 private:

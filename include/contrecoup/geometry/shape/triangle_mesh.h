@@ -36,13 +36,24 @@ struct TriangleMesh
   dealii::BoundingBox<3> bounding_box() const;
 };
 
+/// Adds a warning if a surface with positions in single precision is so far
+/// from the origin that its shape has lost digits.
+/// @throws InputError where hardly any shape is left
+void check_single_precision(const TriangleMesh &mesh,
+                            const std::string &file,
+                            std::vector<std::string> &remarks);
+
 /**
  * Reads a surface: STL (binary or ASCII), OBJ, PLY, or another format that the
- * Assimp library recognises by the file name extension. Coordinates have the
- * six digits of single precision.
+ * Assimp library recognises by the file name extension. Coordinates have double
+ * precision where the file has it; Assimp and binary STL have six digits.
  * @param unit length of a 1 in the file [m]
- * @throws InputError when the file cannot be read, holds no triangles, or has
- * coordinates that are not finite
+ * @param remarks gets what users should know of the file; warnings begin with
+ * "WARNING: "
+ * @throws InputError when the file cannot be read or is cut, holds no
+ * triangles, or has coordinates that are not finite
  */
-TriangleMesh read_surface(const std::string &file, double unit);
+TriangleMesh read_surface(const std::string &file,
+                          double unit,
+                          std::vector<std::string> *remarks = nullptr);
 } // namespace contrecoup

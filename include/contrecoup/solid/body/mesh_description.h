@@ -6,6 +6,7 @@
 #include <contrecoup/base/parameters/expression.h>
 #include <contrecoup/geometry/body/body_description.h>
 #include <contrecoup/geometry/mesh/hex_mesh.h>
+#include <contrecoup/geometry/mesh/mesh_groups.h>
 #include <contrecoup/geometry/mesh/mesh_smoothing.h>
 #include <contrecoup/solid/body/solid_materials.h>
 
@@ -65,6 +66,7 @@ private:
   std::vector<Expression> refined_where_;
   double distortion_ = 0.;
   std::string file_;
+  MeshGroups groups_; ///< of the file
   Tissue tissue_ = Tissue::soft_tissue;
   std::vector<Region> regions_;
 
