@@ -160,7 +160,7 @@ def refused_other_files():
                shipped(ANATOMY, entry("Body/Kind", "surface"),
                        entry("Body/Surface/File", name)), reason)
     for name, reason in reasons + [(OTHER, "its header is none of NIfTI-1"),
-                                   ("short.nii", "its header is none of NIfTI-1")]:
+                                   ("short.nii", "none of NIfTI-1")]:
         yield (f"{name} as image", "anatomy",
                shipped(ANATOMY, entry("Body/Kind", "image"),
                        entry("Body/Image/Labels", "1: brain"),
