@@ -8,7 +8,6 @@
 #include <contrecoup/io/file/checked_file.h>
 #include <contrecoup/io/file/temporary_folder.h>
 #include <contrecoup/study/application_under_study.h>
-#include <contrecoup/study/child_process.h>
 
 #include <unistd.h>
 
@@ -48,6 +47,33 @@ namespace
                      "\" in \"" + own.parent_path().string() + "\"" +
                      suggestion(name, known));
   }
+
+  /// Units of the entries in a text of --print-parameters, where the comment
+  /// before an entry begins with its unit, "# [kg] Mass ...".
+  std::map<std::string, std::string> units_in(const std::string &text)
+  {
+    std::map<std::string, std::string> units;
+    std::vector<std::string> sections;
+    std::string unit;
+    for (const std::string &line : split(text, '\n'))
+      if (line.compare(0, 3, "# [") == 0)
+        unit = line.substr(3, line.find(']') - 3);
+      else if (line.compare(0, 11, "subsection ") == 0)
+        sections.push_back(trim(line.substr(11)));
+      else if (line == "end" && !sections.empty())
+        sections.pop_back();
+      else if (line.compare(0, 4, "set ") == 0)
+      {
+        std::vector<std::string> path = sections;
+        path.push_back(trim(line.substr(4, line.find('=') - 4)));
+        if (!unit.empty() && unit != "-")
+          units[join(path, "/")] = unit;
+        unit.clear();
+      }
+      else if (line.compare(0, 1, "#") != 0)
+        unit.clear();
+    return units;
+  }
 } // namespace
 
 std::string fingerprint(const std::string &text)
@@ -70,53 +96,42 @@ ApplicationUnderStudy::ApplicationUnderStudy(const std::string &name,
   , ranks_(ranks)
 {}
 
-std::string
-ApplicationUnderStudy::run_with_option(const Settings &settings,
-                                       const std::string &option) const
+std::string ApplicationUnderStudy::refusal(const ProcessText &text) const
+{
+  if (text.end.signal != 0)
+    throw SystemError(name_ + " was ended by signal " +
+                      std::to_string(text.end.signal));
+  if (text.end.exit_code == static_cast<int>(ExitCode::system_failed))
+    throw SystemError(name_ + ": " + text.errors);
+  // Remove "--set: ", which the user of a study did not write.
+  const std::string origin = "--set: ";
+  const bool of_override = text.errors.compare(0, origin.size(), origin) == 0;
+  return name_ + ": " + text.errors.substr(of_override ? origin.size() : 0);
+}
+
+EntryList ApplicationUnderStudy::entries(const Settings &settings) const
 {
   std::vector<std::string> words = {program_, parameter_file_};
   for (const auto &[entry, value] : settings)
     words.insert(words.end(), {"--set", entry + "=" + value});
-  words.push_back(option);
+  words.emplace_back("--print-parameters");
   const io::TemporaryFolder folder;
   const ProcessText text = run_process(words, folder.path());
-  if (text.end.signal != 0)
-    throw SystemError(name_ + " " + option + " was ended by signal " +
-                      std::to_string(text.end.signal));
-  if (text.end.exit_code == static_cast<int>(ExitCode::system_failed))
-    throw SystemError(name_ + ": " + text.errors);
-  if (text.end.exit_code != 0)
-  {
-    // Remove "--set: ", which the user of a study did not write.
-    const std::string origin = "--set: ";
-    const bool of_override = text.errors.compare(0, origin.size(), origin) == 0;
-    throw InputError(name_ + ": " +
-                     text.errors.substr(of_override ? origin.size() : 0));
-  }
-  return text.output;
-}
-
-std::map<std::string, std::string>
-ApplicationUnderStudy::entries(const Settings &settings) const
-{
-  const std::string text = run_with_option(settings, "--print-parameters");
-  const io::TemporaryFolder folder;
+  if (text.end.exit_code != 0 || text.end.signal != 0)
+    throw InputError(refusal(text));
   const std::string file = folder.path() + "/parameters.prm";
-  io::write_file(file, [&](std::ostream &out) { out << text; });
-  std::map<std::string, std::string> values;
+  io::write_file(file, [&](std::ostream &out) { out << text.output; });
+  EntryList list;
+  list.units = units_in(text.output);
   for (const Assignment &assignment : read_assignments(file))
   {
     const std::string path = join(assignment.sections, "/") + "/";
     // Skip pattern subsections, which are no actual entries.
     if (path.find(" */") == std::string::npos)
-      values[(path == "/" ? "" : path) + assignment.entry] = assignment.value;
+      list.values[(path == "/" ? "" : path) + assignment.entry] =
+        assignment.value;
   }
-  return values;
-}
-
-std::string ApplicationUnderStudy::plan(const Settings &settings) const
-{
-  return run_with_option(settings, "--check");
+  return list;
 }
 
 std::vector<std::string>

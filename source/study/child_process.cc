@@ -59,12 +59,17 @@ namespace
 
   /// Environment of a child. Concurrent runs must not all bind their ranks to
   /// the first cores.
-  std::vector<std::string> child_variables()
+  std::vector<std::string>
+  child_variables(const std::vector<std::string> &further)
   {
-    std::vector<std::string> variables;
+    std::vector<std::string> variables = further;
     for (char **entry = environ; *entry != nullptr; ++entry)
-      if (!belongs_to_mpi_job(*entry))
-        variables.emplace_back(*entry);
+    {
+      const std::string text = *entry;
+      if (!belongs_to_mpi_job(text) &&
+          !has_variable(further, text.substr(0, text.find('='))))
+        variables.push_back(text);
+    }
     std::vector<std::string> defaults = {
       "OMPI_MCA_hwloc_base_binding_policy=none",
       "OMPI_MCA_rmaps_base_oversubscribe=1",
@@ -125,10 +130,11 @@ namespace
 
 ChildProcess::ChildProcess(const std::vector<std::string> &command,
                            const std::string &output_file,
-                           const std::string &error_file)
+                           const std::string &error_file,
+                           const std::vector<std::string> &further)
   : begin_(std::chrono::steady_clock::now())
 {
-  const std::vector<std::string> variables = child_variables();
+  const std::vector<std::string> variables = child_variables(further);
   const std::vector<char *> words = pointers(command);
   const std::vector<char *> environment = pointers(variables);
   const pid_t parent = getpid();

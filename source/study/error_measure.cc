@@ -10,6 +10,8 @@
 #include <contrecoup/study/curve.h>
 #include <contrecoup/study/error_measure.h>
 #include <contrecoup/study/json_path.h>
+#include <contrecoup/study/run_outputs.h>
+#include <contrecoup/study/run_record.h>
 
 #include <nlohmann/json.hpp>
 
@@ -116,7 +118,7 @@ void ErrorMeasure::declare_parameters(ParameterHandler &prm)
                  "Name",
                  "density_L1",
                  "For exact, the name below \"errors\" in summary.json; for "
-                 "summary, a dotted path as \"conservation.mass_last\"; for "
+                 "summary, the address of an output, see Study/Columns; for "
                  "probe or history, the column of probes.csv or history.csv; "
                  "for a plane, file and quantity as plane_y_0_pressure.");
   declare_selection(prm,
@@ -242,10 +244,7 @@ double ErrorMeasure::value(const std::string &folder,
     return quantity(folder, summary);
   if (compares_files())
     return difference(folder);
-  const double known =
-    kind_ == "known value"
-      ? known_
-      : quantity(reference_folder_, read_summary(reference_folder_));
+  const double known = kind_ == "known value" ? known_ : reference_quantity();
   const double deviation = std::abs(quantity(folder, summary) - known);
   return known == 0. ? deviation : deviation / std::abs(known);
 }
@@ -253,14 +252,51 @@ double ErrorMeasure::value(const std::string &folder,
 double ErrorMeasure::quantity(const std::string &folder,
                               const nlohmann::json &summary) const
 {
-  if (quantity_ == "summary")
+  if (is_in_summary())
     return number_at(summary, name_, "Error/Name: the summary of a run");
+  if (quantity_ == "summary")
+    try
+    {
+      return RunOutputs(folder).at(name_).value;
+    }
+    catch (const InputError &error)
+    {
+      throw InputError("Error/Name: " + std::string(error.what()));
+    }
   const Curve course = curve(folder);
   const std::string kind = curve_feature();
   return kind == "peak"      ? peak(course)
          : kind == "lowest"  ? lowest(course)
          : kind == "impulse" ? impulse(course)
                              : arrival(course);
+}
+
+bool ErrorMeasure::is_in_summary() const
+{
+  return quantity_ == "summary" &&
+         name_.find_first_of("/:") == std::string::npos;
+}
+
+double ErrorMeasure::reference_quantity() const
+{
+  return quantity(reference_folder_,
+                  is_in_summary() ? read_summary(reference_folder_)
+                                  : nlohmann::json());
+}
+
+void ErrorMeasure::require_reference() const
+{
+  if (reference_folder_.empty())
+    return;
+  if (read_record(reference_folder_).status != "finished")
+    throw InputError("Error/Reference folder: \"" + reference_folder_ +
+                     "\" holds no finished run");
+  if (quantity_ == "plane")
+    newest_plane(reference_folder_ + "/fields", name_);
+  else if (compares_files())
+    curve(reference_folder_);
+  else
+    reference_quantity();
 }
 
 double ErrorMeasure::difference(const std::string &folder) const
@@ -290,6 +326,13 @@ std::string ErrorMeasure::short_name() const
                        : name_ + "_" + curve_feature();
   std::replace(name.begin(), name.end(), '.', '_');
   return name;
+}
+
+std::string ErrorMeasure::address() const
+{
+  return kind_ == "none" || (kind_ != "exact" && quantity_ != "summary") ? ""
+         : kind_ == "exact" ? "errors." + name_
+                            : name_;
 }
 
 double ErrorMeasure::required_error() const

@@ -11,6 +11,7 @@
 #include <cstdlib>
 #include <limits>
 #include <map>
+#include <set>
 
 namespace contrecoup::study
 {
@@ -158,6 +159,20 @@ void Factor::parse_parameters(ParameterHandler &prm,
     throw InputError(where + "Labels: there are " +
                      std::to_string(labels.size()) + " labels for " +
                      std::to_string(values.size()) + " values");
+  require_different(where);
+}
+
+void Factor::require_different(const std::string &where) const
+{
+  std::set<std::vector<std::string>> known;
+  for (const auto &row : values)
+    if (!known.insert(row).second)
+      throw InputError(where + "Values: \"" + join(row, " | ") +
+                       "\" is there twice");
+  std::set<std::string> names;
+  for (const std::string &label : labels)
+    if (!names.insert(label).second)
+      throw InputError(where + "Labels: \"" + label + "\" is there twice");
 }
 
 Settings Factor::settings(const std::size_t row) const
@@ -189,10 +204,10 @@ std::vector<Factor> parse_factors(ParameterHandler &prm)
     const Section section(prm, "Vary " + name);
     factors.emplace_back();
     factors.back().parse_parameters(prm, name);
-    const std::string &entry = factors.back().entries.front();
-    if (!varied_by.emplace(entry, name).second)
-      throw InputError("\"Vary " + varied_by[entry] + "\" and \"Vary " + name +
-                       "\" both vary \"" + entry + "\"");
+    for (const std::string &entry : factors.back().entries)
+      if (!varied_by.emplace(entry, name).second)
+        throw InputError("\"Vary " + varied_by[entry] + "\" and \"Vary " +
+                         name + "\" both vary \"" + entry + "\"");
     if (factors.back().refinement != Refinement::none)
       ++n_refining;
     for (std::size_t row = 0; row < factors.back().values.size(); ++row)

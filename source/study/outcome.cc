@@ -5,6 +5,7 @@
 #include <contrecoup/base/system/log.h>
 #include <contrecoup/io/file/checked_file.h>
 #include <contrecoup/study/outcome.h>
+#include <contrecoup/study/run_record.h>
 
 #include <nlohmann/json.hpp>
 
@@ -64,31 +65,30 @@ namespace
   }
 
   /// Judges a process that exited with code 0.
-  void judge_finished(const Json &summary, Outcome &outcome)
+  void judge_finished(const RunRecord &record, Outcome &outcome)
   {
-    const std::string status = member<std::string>(summary, "status", "");
-    const auto retries = member<double>(summary, "retries", 0.);
-    if (status != "finished")
+    if (record.status != "finished")
     {
       outcome.kind = "failed";
-      outcome.reason = status.empty() ? "it left no summary.json"
-                                      : "it ended with status \"" + status +
-                                          "\" before it was finished";
+      outcome.reason = record.status.empty()
+                         ? "it left neither summary.json nor manifest.json"
+                         : "it ended with status \"" + record.status +
+                             "\" before it was finished";
     }
-    else if (retries > 0.)
+    else if (record.retries > 0.)
     {
       outcome.kind = "retried";
-      outcome.reason = std::to_string(static_cast<long long>(retries)) +
-                       (retries == 1. ? " step was" : " steps were") +
+      outcome.reason = std::to_string(static_cast<long long>(record.retries)) +
+                       (record.retries == 1. ? " step was" : " steps were") +
                        " cut back";
     }
     else
       outcome.kind = "stable";
   }
 
-  std::string reason_of(const Json &summary, const std::string &error_file)
+  std::string reason_of(const RunRecord &record, const std::string &error_file)
   {
-    std::string reason = member<std::string>(summary, "message", "");
+    std::string reason = record.message;
     if (reason.empty())
     {
       std::ifstream input(error_file);
@@ -109,7 +109,7 @@ Outcome judge(const ProcessEnd &end,
               const std::string &folder,
               const std::string &error_file)
 {
-  const Json summary = read_json(folder + "/summary.json");
+  const RunRecord record = read_record(folder);
   Outcome outcome;
   outcome.exit_code = end.exit_code;
   if (timed_out)
@@ -123,13 +123,13 @@ Outcome judge(const ProcessEnd &end,
     outcome.reason = "it crashed: " + std::string(strsignal(end.signal));
   }
   else if (end.exit_code == 0)
-    judge_finished(summary, outcome);
+    judge_finished(record, outcome);
   else
   {
     outcome.kind = end.exit_code == 1   ? "refused"
                    : end.exit_code == 2 ? "unstable"
                                         : "failed";
-    outcome.reason = reason_of(summary, error_file);
+    outcome.reason = reason_of(record, error_file);
     // With a full disk, not even the reason is written.
     if (outcome.kind == "failed" && outcome.reason == no_reason)
       outcome.reason += "; is the disk full?";

@@ -34,6 +34,14 @@ namespace
     return std::isfinite(value) ? Json(value) : Json(nullptr);
   }
 
+  Json json_numbers(const std::vector<double> &values)
+  {
+    Json numbers = Json::array();
+    for (const double value : values)
+      numbers.push_back(json_number(value));
+    return numbers;
+  }
+
   std::string number_text(const double value, const int digits = 3)
   {
     return std::isfinite(value) ? brief(value, digits) : "";
@@ -95,8 +103,9 @@ namespace
       out << '|';
       for (const std::string &label : row.variant.labels)
         out << ' ' << cell(label) << " |";
-      out << ' ' << row.outcome.kind << " | " << number_text(row.unknowns, 9)
-          << " | " << number_text(row.steps, 9) << " | "
+      out << ' ' << row.outcome.kind << " | "
+          << number_text(row.record.unknowns, 9) << " | "
+          << number_text(row.record.steps, 9) << " | "
           << cost_text(parameters.cost, row.cost) << " |";
       if (has_errors)
         out << ' ' << number_text(row.error) << " | " << number_text(row.order)
@@ -106,35 +115,37 @@ namespace
     return out.str();
   }
 
-  /// Table of the further columns, with those of the reference run last.
+  /// Table of the further columns, with those of the reference run last. A run
+  /// that did not finish has its outcome in place of numbers.
   std::string further_table(const StudyParameters &parameters,
                             const StudyResult &result)
   {
     std::ostringstream out;
     std::string rule = begin_table(parameters, out);
-    for (const std::string &column : parameters.columns)
+    for (const Column &column : result.columns)
     {
-      out << ' ' << cell(split(column, '.').back()) << " |";
+      out << ' ' << cell(title_with_unit(column)) << " |";
       rule += "---:|";
     }
     out << '\n' << rule << '\n';
     const auto add_row = [&](const std::vector<std::string> &labels,
-                             const std::vector<double> &values) {
+                             const std::vector<double> &values,
+                             const std::string &outcome) {
       out << '|';
       for (const std::string &label : labels)
         out << ' ' << cell(label) << " |";
-      for (const double value : values)
-        out << ' ' << number_text(value, 4) << " |";
+      for (std::size_t i = 0; i < result.columns.size(); ++i)
+        out << ' ' << (i < values.size() ? number_text(values[i], 4) : outcome)
+            << " |";
       out << '\n';
     };
     for (const ResultRow &row : result.rows)
-      if (!row.columns.empty())
-        add_row(row.variant.labels, row.columns);
+      add_row(row.variant.labels, row.columns, row.outcome.kind);
     std::vector<std::string> labels(parameters.factors.size());
     if (!labels.empty())
       labels.front() = "reference run";
     if (!result.reference_columns.empty())
-      add_row(labels, result.reference_columns);
+      add_row(labels, result.reference_columns, "");
     return out.str();
   }
 
@@ -158,8 +169,10 @@ std::string to_csv(const StudyParameters &parameters, const StudyResult &result)
   out << "outcome,reason,exit code,cells,unknowns,steps,retries,"
          "wall [s],core [s],updates,memory [byte],error,order,"
          "pareto front,";
-  for (const std::string &column : parameters.columns)
-    out << quoted(column) << ',';
+  for (const Column &column : result.columns)
+    out << quoted(column.address +
+                  (column.unit.empty() ? "" : " [" + column.unit + "]"))
+        << ',';
   out << "folder\n";
   for (const ResultRow &row : result.rows)
   {
@@ -167,22 +180,37 @@ std::string to_csv(const StudyParameters &parameters, const StudyResult &result)
       out << quoted(label) << ',';
     out << row.outcome.kind << ',' << quoted(one_line(row.outcome.reason))
         << ',' << row.outcome.exit_code;
-    for (const double value : {row.cells,
-                               row.unknowns,
-                               row.steps,
-                               row.retries,
-                               row.wall_seconds,
-                               row.core_seconds,
-                               row.updates,
-                               row.memory,
+    const RunRecord &record = row.record;
+    for (const double value : {record.cells,
+                               record.unknowns,
+                               record.steps,
+                               record.retries,
+                               record.wall_seconds,
+                               record.core_seconds,
+                               record.updates,
+                               record.memory,
                                row.error,
                                row.order})
       out << ',' << csv_number(value);
     const bool has_errors = parameters.error.is_active();
     out << ',' << (!has_errors ? "" : row.on_front ? "yes" : "no") << ',';
-    for (std::size_t i = 0; i < parameters.columns.size(); ++i)
+    for (std::size_t i = 0; i < result.columns.size(); ++i)
       out << (i < row.columns.size() ? csv_number(row.columns[i]) : "") << ',';
     out << quoted(row.folder) << '\n';
+  }
+  return out.str();
+}
+
+std::string outputs_csv(const std::string &folder)
+{
+  const RunOutputs outputs(folder);
+  std::ostringstream out;
+  out << "output,value,unit\n";
+  for (const std::string &address : outputs.names())
+  {
+    const RunOutput output = outputs.at(address);
+    out << quoted(address) << ',' << csv_number(output.value) << ','
+        << output.unit << '\n';
   }
   return out.str();
 }
@@ -201,11 +229,13 @@ std::string to_markdown(const StudyParameters &parameters,
     out << "Best: no other variant has both a smaller error and a smaller "
            "cost.";
   out << "\n\n" << markdown_table(parameters, result);
-  if (!parameters.columns.empty())
+  if (!result.columns.empty())
     out << '\n' << further_table(parameters, result);
   const std::string failed = failures(result);
   if (!failed.empty())
-    out << "\nNot finished:\n\n" << failed;
+    out << "\nNot finished, " << result.n_unfinished() << " of "
+        << result.rows.size() << ":\n\n"
+        << failed;
   for (const std::string &remark : result.remarks)
     out << '\n' << remark << '\n';
   for (const std::string &line : recommendation(parameters, result))
@@ -216,27 +246,30 @@ std::string to_markdown(const StudyParameters &parameters,
 std::string to_json(const StudyParameters &parameters,
                     const StudyResult &result)
 {
-  Json rows = Json::array(), factors = Json::array();
+  Json rows = Json::array(), factors = Json::array(), columns = Json::array();
+  for (const Column &column : result.columns)
+    columns.push_back({{"address", column.address},
+                       {"title", column.title},
+                       {"unit", column.unit}});
   for (const Factor &factor : parameters.factors)
     factors.push_back({{"name", factor.name},
+                       {"unit", factor.unit},
                        {"labels", factor.labels},
                        {"refines", factor.refinement != Refinement::none}});
   for (const ResultRow &row : result.rows)
   {
-    Json numbers = Json::array();
-    for (const double number : row.variant.numbers)
-      numbers.push_back(json_number(number));
     rows.push_back({{"labels", row.variant.labels},
-                    {"numbers", numbers},
+                    {"numbers", json_numbers(row.variant.numbers)},
                     {"outcome", row.outcome.kind},
                     {"reason", row.outcome.reason},
                     {"series", row.series},
                     {"width", json_number(row.width)},
-                    {"unknowns", json_number(row.unknowns)},
-                    {"retries", json_number(row.retries)},
+                    {"unknowns", json_number(row.record.unknowns)},
+                    {"retries", json_number(row.record.retries)},
                     {"cost", json_number(row.cost)},
                     {"error", json_number(row.error)},
                     {"order", json_number(row.order)},
+                    {"columns", json_numbers(row.columns)},
                     {"front", row.on_front}});
   }
   const Json json = {
@@ -248,6 +281,8 @@ std::string to_json(const StudyParameters &parameters,
                                   : Json(nullptr)},
     {"wanted", parameters.error.required_error()},
     {"factors", factors},
+    {"columns", columns},
+    {"reference_columns", json_numbers(result.reference_columns)},
     {"series", result.series},
     {"recommended",
      result.recommended ? Json(*result.recommended) : Json(nullptr)},

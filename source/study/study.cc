@@ -11,6 +11,7 @@
 #include <contrecoup/io/output/pictures.h>
 #include <contrecoup/study/report.h>
 #include <contrecoup/study/study.h>
+#include <contrecoup/study/variant_forecast.h>
 
 #include <nlohmann/json.hpp>
 
@@ -26,6 +27,8 @@ namespace
   using Json = nlohmann::ordered_json;
 
   constexpr const char *marker = "study.json";
+  /// Lines of progress, and of failures or remarks, on the screen.
+  constexpr std::size_t most_lines = 10, most_failures = 3;
 
   /// File names of a study with these runs in its folder.
   io::FileNames file_names(const std::string &folder,
@@ -35,6 +38,7 @@ namespace
                             marker,
                             "study.csv",
                             "study.md",
+                            "outputs.csv",
                             "recommended.prm",
                             "summary.json"},
                            {"log.txt"}};
@@ -48,7 +52,11 @@ namespace
     return names + io::picture_files({"work_precision.svg",
                                       "work_precision.png",
                                       "stability_map.svg",
-                                      "stability_map.png"});
+                                      "stability_map.png",
+                                      "curves.svg",
+                                      "curves.png",
+                                      "chart.svg",
+                                      "chart.png"});
   }
 
   Settings joined(Settings first, const Settings &second)
@@ -78,6 +86,38 @@ namespace
     return join(parts, ", ");
   }
 
+  /// Failure of the program for variants that did not finish; none in a
+  /// stability map, whose results they are.
+  std::optional<Failure> failure_of(const StudyParameters &parameters,
+                                    const StudyResult &result)
+  {
+    const ResultRow *first = nullptr;
+    for (const ResultRow &row : result.rows)
+      if (!first && !row.outcome.is_usable())
+        first = &row;
+    const auto counts = count_outcomes(result);
+    const bool all_refused = counts.size() == 1 && counts.count("refused") == 1;
+    if (!first || (parameters.mode == "stability map" && !all_refused))
+      return {};
+    const std::string of_first = "; the first (" +
+                                 join(first->variant.labels, ", ") +
+                                 "): " + one_line(first->outcome.reason);
+    if (all_refused)
+      return Failure{ExitCode::bad_input,
+                     "all variants were refused" + of_first};
+    return Failure{ExitCode::numerics_failed,
+                   std::to_string(result.n_unfinished()) + " of " +
+                     std::to_string(result.rows.size()) +
+                     " variants did not finish" + of_first};
+  }
+
+  double seconds_since(const std::chrono::steady_clock::time_point begin)
+  {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() -
+                                         begin)
+      .count();
+  }
+
   /// Order between the two finest meshes of each series.
   Json last_orders(const StudyResult &result)
   {
@@ -104,6 +144,7 @@ Study::Study(const StudyParameters &parameters,
   , begin_(std::chrono::steady_clock::now())
 {
   require_known_entries();
+  parameters_.error.require_reference();
   if (const auto &reference = parameters_.error.reference_settings())
   {
     has_reference_ = true;
@@ -130,7 +171,7 @@ void Study::require_known(const Settings &settings,
     }
 }
 
-void Study::require_known_entries() const
+void Study::require_known_entries()
 {
   // The application validates each value when it is set, even if it is set
   // again later: one start checks all values.
@@ -146,7 +187,11 @@ void Study::require_known_entries() const
     all = joined(all, *reference);
   try
   {
-    application_.entries(all);
+    const EntryList list = application_.entries(all);
+    for (Factor &factor : parameters_.factors)
+      if (const auto unit = list.units.find(factor.entries.front());
+          factor.unit.empty() && unit != list.units.end())
+        factor.unit = unit->second;
   }
   catch (const InputError &)
   {
@@ -171,7 +216,7 @@ Task Study::make_task(const Variant &variant) const
 
 void Study::identify_tasks()
 {
-  base_entries_ = application_.entries({});
+  base_entries_ = application_.entries({}).values;
   const std::string version = application_.version();
   for (Task &task : tasks_)
   {
@@ -195,35 +240,6 @@ std::string Study::task_label(const Task &task) const
 {
   const bool is_reference = has_reference_ && &task == &tasks_.front();
   return is_reference ? "the reference run" : join(task.variant.labels, ", ");
-}
-
-std::string Study::plan_of_first() const
-{
-  const Task &first = tasks_.front();
-  try
-  {
-    return application_.plan(first.variant.settings);
-  }
-  catch (const InputError &error)
-  {
-    throw InputError("the first run (" + task_label(first) +
-                     "): " + error.what());
-  }
-}
-
-void Study::check() const
-{
-  const std::string plan = plan_of_first();
-  show_line("study would run " + std::to_string(tasks_.size()) + " times " +
-            application_.name() + " on " + parameters_.parameter_file + ":");
-  for (const Factor &factor : parameters_.factors)
-    show_line("  " + factor.name + ": " +
-              (factor.is_range
-                 ? brief(factor.lower) + " to " + brief(factor.upper)
-                 : join(factor.labels, "; ")));
-  show_line("  output " + folder_);
-  show_line("The first run:");
-  show_line(plan);
 }
 
 bool Study::has_outcomes() const
@@ -267,31 +283,43 @@ void Study::report(const Task &task)
 {
   ++n_done_;
   const Outcome &outcome = *task.outcome;
-  const double passed =
-    std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_)
-      .count();
+  const double passed = seconds_since(begin_);
   const auto done_now = static_cast<double>(n_done_ - n_done_before_);
   const auto left = static_cast<double>(tasks_.size() - n_done_);
-  const std::string progress = std::to_string(n_done_) + " of " +
-                               std::to_string(tasks_.size()) + " runs, ";
-  const std::string time_left = duration(passed * left / done_now) + " left";
-  log_line(progress + outcome.kind + " after " +
-           duration(outcome.wall_seconds) + ", about " + time_left + ": " +
-           task_label(task) +
-           (outcome.reason.empty() ? "" : ": " + one_line(outcome.reason)));
-  const std::size_t n = tasks_.size();
-  Log &log = Log::instance();
-  log.status(progress + time_left);
-  const bool is_quarter = 4 * n_done_ / n > 4 * (n_done_ - 1) / n;
-  if (is_quarter && n_done_ < n && !log.on_terminal() && !log.is_verbose())
-    log.progress(progress + time_left);
+  const std::string line =
+    std::to_string(n_done_) + " of " + std::to_string(tasks_.size()) + "  " +
+    outcome.kind + "  " + duration(outcome.wall_seconds) + "  " +
+    task_label(task) +
+    (outcome.reason.empty() ? "" : ": " + one_line(outcome.reason)) +
+    "  (about " + duration(passed * left / done_now) + " left)";
+  // The screen gets some ten lines, and the first failures.
+  const std::size_t part = most_lines * n_done_ / tasks_.size();
+  const bool is_failure = !outcome.is_usable() && ++n_failed_ <= most_failures;
+  if (is_failure || tasks_.size() <= most_lines || part > n_parts_shown_)
+    show_line(line);
+  else
+    log_line(line);
+  n_parts_shown_ = part;
+  Log::instance().status(line);
   const bool is_reference = has_reference_ && &task == &tasks_.front();
   if (is_reference && !outcome.is_usable())
     throw NumericsError("the reference run is " + outcome.kind + ": " +
                         outcome.reason);
-  // Early results also reveal a misspelt quantity.
-  if (n_done_ < 3 || n_done_ % 10 == 0)
+  // The first results also reveal a misspelt quantity.
+  if (outcome.is_usable() && ++n_usable_ < 3)
     write_results("running", passed);
+  else if (n_done_ % 10 == 0)
+    write_results("running", passed);
+}
+
+void Study::write_outputs() const
+{
+  for (auto task = tasks_.rbegin(); task != tasks_.rend(); ++task)
+    if (task->outcome && task->outcome->is_usable())
+    {
+      write_text(path("outputs.csv"), outputs_csv(task->run_folder()));
+      return;
+    }
 }
 
 void Study::write_results(const std::string &status, const double seconds)
@@ -307,32 +335,46 @@ void Study::write_results(const std::string &status, const double seconds)
   for (Task &task : variants)
     if (known.count(task.identity) > 0)
       task.outcome = known[task.identity];
-  const StudyResult result = evaluate(parameters_, variants);
+  write_outputs();
+  const StudyResult result =
+    evaluate(parameters_, variants, status == "finished");
   write_text(path("study.csv"), to_csv(parameters_, result));
   write_text(path("study.md"), to_markdown(parameters_, result));
   write_text(path(marker), to_json(parameters_, result));
+  write_summary(status, seconds, variants.size(), result);
+  if (status == "finished")
+    conclude(result);
+}
+
+void Study::write_summary(const std::string &status,
+                          const double seconds,
+                          const std::size_t n_variants,
+                          const StudyResult &result) const
+{
   const Json orders = last_orders(result);
-  Json summary = {{"application", "study"},
-                  {"version", version()},
-                  {"git_revision", git_revision()},
-                  {"status", status},
-                  {"application_under_study", application_.name()},
-                  {"variants", variants.size()},
-                  {"outcomes", count_outcomes(result)},
-                  {"wall_seconds", seconds},
-                  {"errors", Json::object()},
-                  {"orders", orders}};
+  Json summary = {
+    {"application", "study"},
+    {"version", version()},
+    {"git_revision", git_revision()},
+    {"status", status},
+    {"application_under_study", application_.name()},
+    {"variants", n_variants},
+    {"finished_variants", result.rows.size() - result.n_unfinished()},
+    {"failed_variants", result.n_unfinished()},
+    {"outcomes", count_outcomes(result)},
+    {"wall_seconds", seconds},
+    {"errors", Json::object()},
+    {"orders", orders},
+    {"warnings", Log::instance().warnings()}};
   if (orders.size() == 1)
     summary["errors"][parameters_.error.short_name() + "_order"] =
       orders.begin().value();
   if (result.recommended)
     summary["recommended"] = result.rows[*result.recommended].variant.labels;
   write_text(path("summary.json"), summary.dump(2) + "\n");
-  if (status == "finished")
-    write_recommendation(result);
 }
 
-void Study::write_recommendation(const StudyResult &result)
+void Study::conclude(const StudyResult &result)
 {
   io::remove_quietly(path("recommended.prm"));
   if (result.recommended)
@@ -344,16 +386,17 @@ void Study::write_recommendation(const StudyResult &result)
                                 base_entries_));
   draw();
   show_line("finished: " + told_counts(result));
-  for (const std::string &line : result.remarks)
-    show_line(line);
+  for (std::size_t i = 0; i < result.remarks.size(); ++i)
+    if (i < most_failures)
+      show_line(result.remarks[i]);
+    else
+      log_line(result.remarks[i]);
   for (const std::string &line : recommendation(parameters_, result))
     show_line(line);
-  show_line("results in " + folder_);
-  const auto counts = count_outcomes(result);
-  if (counts.size() == 1 && counts.count("refused") == 1)
-    throw InputError("all variants were refused; the first (" +
-                     join(result.rows.front().variant.labels, ", ") +
-                     "): " + result.rows.front().outcome.reason);
+  show_line("results in " + folder_ +
+            ": study.md, study.csv, pictures; outputs.csv lists the outputs "
+            "of a run");
+  failure_ = failure_of(parameters_, result);
 }
 
 void Study::draw() const
@@ -382,14 +425,14 @@ void Study::execute(const io::CommandLine &command,
   if (!claim.may_proceed(
         command, [&]() { return has_outcomes(); }, "more values"))
     return;
+  require_possible_outputs(
+    forecast_variants(application_, tasks_, 1, parameters_.cores, false));
   prepare(parameter_text, command.resume, claim);
   begin_ = std::chrono::steady_clock::now();
   VariantRunner runner(application_, parameters_.cores, parameters_.time_limit);
   const bool complete =
     runner.run(tasks_, [&](const Task &task) { report(task); });
-  const double seconds =
-    std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_)
-      .count();
+  const double seconds = seconds_since(begin_);
   const std::string status = complete ? "finished" : "stopped";
   write_results(status, seconds);
   claim.set_status(status);
@@ -400,5 +443,7 @@ void Study::execute(const io::CommandLine &command,
   Log::instance().check();
   if (!complete)
     SignalGuard::require_no_stop();
+  if (failure_)
+    throw_failure(*failure_);
 }
 } // namespace contrecoup::study

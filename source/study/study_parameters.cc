@@ -39,9 +39,14 @@ namespace
     declare_string(prm,
                    "Columns",
                    "",
-                   "Further values of summary.json for study.csv and "
-                   "study.md, including the reference run: dotted paths as "
-                   "in \"results.loads_chest_peak; ...\".");
+                   "Outputs of the runs for tables and curves, separated by "
+                   "\";\": results.NAME, a path in summary.json; "
+                   "STAGE/results.NAME, that of a stage of a scene; "
+                   "FILE.json:PATH; FILE.csv:ROW:COLUMN, of a history "
+                   "FILE.csv:FEATURE:COLUMN with first, last, largest, "
+                   "smallest, peak, lowest, impulse or arrival. \"*\" stands "
+                   "for any letters; \"ADDRESS as TITLE\" names a column; "
+                   "\"ADDRESS if any\" may be missing in some runs.");
     declare_selection(prm,
                       "Mode",
                       "work precision",
@@ -126,10 +131,7 @@ void StudyParameters::parse_parameters(ParameterHandler &prm)
     application = prm.get("Application");
     parameter_file = prm.get("Parameter file");
     settings = parse_settings(prm.get("Settings"), "Study/Settings");
-    columns.clear();
-    for (const std::string &column : split(prm.get("Columns"), ';'))
-      if (!column.empty())
-        columns.push_back(column);
+    columns = parse_columns(prm.get("Columns"));
     mode = prm.get("Mode");
     design.kind = prm.get("Design");
     design.samples = read_unsigned(prm, "Samples");

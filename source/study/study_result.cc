@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/study/convergence.h>
-#include <contrecoup/study/json_path.h>
 #include <contrecoup/study/pareto.h>
 #include <contrecoup/study/study_result.h>
 
@@ -13,6 +11,8 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <map>
+#include <optional>
 
 namespace contrecoup::study
 {
@@ -20,29 +20,12 @@ namespace
 {
   using Json = nlohmann::json;
 
-  double member(const Json &object, const std::string &name)
+  double cost_of(const RunRecord &record, const std::string &cost)
   {
-    const bool is_there =
-      object.is_object() && object.contains(name) && object[name].is_number();
-    return is_there ? object[name].get<double>() : ResultRow::unknown;
-  }
-
-  /// Reads size and cost from the summary of a run.
-  void read_costs(const Json &summary, const std::string &cost, ResultRow &row)
-  {
-    const Json performance = summary.value("performance", Json::object());
-    row.cells = member(summary, "cells");
-    row.unknowns = member(summary, "unknowns");
-    row.steps = member(summary, "steps");
-    row.retries = member(summary, "retries");
-    row.wall_seconds = member(summary, "wall_seconds");
-    row.core_seconds = member(performance, "core_seconds");
-    row.updates = member(performance, "updates");
-    row.memory = member(performance, "peak_memory_bytes");
-    row.cost = cost == "core seconds"   ? row.core_seconds
-               : cost == "wall seconds" ? row.wall_seconds
-               : cost == "updates"      ? row.updates
-                                        : row.memory;
+    return cost == "core seconds"   ? record.core_seconds
+           : cost == "wall seconds" ? record.wall_seconds
+           : cost == "updates"      ? record.updates
+                                    : record.memory;
   }
 
   /// Index of the factor that refines the mesh; number of factors if none.
@@ -164,35 +147,17 @@ namespace
     return summary.is_object() ? summary : Json();
   }
 
-  std::vector<double> read_columns(const std::vector<std::string> &columns,
-                                   const Json &summary)
+  std::vector<double> values_of(const std::vector<Column> &columns,
+                                const RunOutputs &outputs)
   {
+    const auto &names = outputs.names();
     std::vector<double> values;
-    for (const std::string &column : columns)
-      try
-      {
-        values.push_back(number_at(summary, column, "summary.json"));
-      }
-      catch (const InputError &)
-      {
-        values.push_back(ResultRow::unknown);
-      }
+    for (const Column &column : columns)
+      values.push_back(std::find(names.begin(), names.end(), column.address) ==
+                           names.end()
+                         ? ResultRow::unknown
+                         : outputs.at(column.address).value);
     return values;
-  }
-
-  /// Adds a remark on empty columns.
-  void remark_columns(const std::vector<std::string> &columns,
-                      StudyResult &result)
-  {
-    for (std::size_t i = 0; i < columns.size(); ++i)
-    {
-      bool is_known = false;
-      for (const ResultRow &row : result.rows)
-        is_known =
-          is_known || (i < row.columns.size() && std::isfinite(row.columns[i]));
-      if (!is_known)
-        result.remarks.push_back("No run has \"" + columns[i] + "\".");
-    }
   }
 
   ResultRow make_row(const StudyParameters &parameters, const Task &task)
@@ -203,14 +168,11 @@ namespace
     row.folder = task.run_folder();
     if (!row.outcome.is_usable())
       return row;
-    const Json summary = read_summary(row.folder);
-    if (!summary.is_object())
-      return row;
-    read_costs(summary, parameters.cost, row);
-    row.columns = read_columns(parameters.columns, summary);
+    row.record = read_record(row.folder);
+    row.cost = cost_of(row.record, parameters.cost);
     if (!parameters.error.is_active())
       return row;
-    row.error = parameters.error.value(row.folder, summary);
+    row.error = parameters.error.value(row.folder, read_summary(row.folder));
     if (!std::isfinite(row.error))
     {
       row.outcome.kind = "unstable";
@@ -218,10 +180,44 @@ namespace
     }
     return row;
   }
+
+  /// Finds the further columns and their values in all finished runs.
+  void read_columns(const StudyParameters &parameters,
+                    const bool is_complete,
+                    StudyResult &result)
+  {
+    if (parameters.columns.empty())
+      return;
+    std::map<const ResultRow *, RunOutputs> outputs;
+    std::vector<const RunOutputs *> runs;
+    for (const ResultRow &row : result.rows)
+      if (row.outcome.is_usable())
+        runs.push_back(
+          &outputs.emplace(&row, RunOutputs(row.folder)).first->second);
+    const std::string &folder = parameters.error.reference_folder();
+    std::optional<RunOutputs> reference;
+    if (!folder.empty())
+      runs.push_back(&reference.emplace(folder));
+    result.columns = find_columns(parameters.columns, runs, is_complete);
+    for (ResultRow &row : result.rows)
+      if (const auto found = outputs.find(&row); found != outputs.end())
+        row.columns = values_of(result.columns, found->second);
+    if (reference)
+      result.reference_columns = values_of(result.columns, *reference);
+  }
 } // namespace
 
+std::size_t StudyResult::n_unfinished() const
+{
+  return static_cast<std::size_t>(
+    std::count_if(rows.begin(), rows.end(), [](const ResultRow &row) {
+      return !row.outcome.is_usable();
+    }));
+}
+
 StudyResult evaluate(const StudyParameters &parameters,
-                     const std::vector<Task> &tasks)
+                     const std::vector<Task> &tasks,
+                     const bool is_complete)
 {
   StudyResult result;
   for (const Task &task : tasks)
@@ -237,11 +233,7 @@ StudyResult evaluate(const StudyParameters &parameters,
     find_orders(i, result);
   }
   find_front(parameters.error.required_error(), result);
-  remark_columns(parameters.columns, result);
-  const std::string &reference = parameters.error.reference_folder();
-  if (!reference.empty())
-    result.reference_columns =
-      read_columns(parameters.columns, read_summary(reference));
+  read_columns(parameters, is_complete, result);
   return result;
 }
 } // namespace contrecoup::study

@@ -37,8 +37,19 @@ study_refuses(impossible_value "Time/End time"
   SET "Vary leaves/Entry=Time/End time" "Vary leaves/Values=-1")
 study_refuses(unknown_setting "Study/Settings: blast: unknown entry"
   SET "Study/Settings=Method/Limitr=mc")
-study_refuses(first_run "the first run (finite volume, 10): blast: "
+study_refuses(first_run "the run (finite volume, 10): blast: "
   SET "Study/Settings=Initial state/Kind=uniform" ARGUMENTS --check)
+# Outputs that no run can have, before anything runs.
+study_refuses(unknown_column "did you mean \"results.peak\"?"
+  SET "Study/Columns=resluts.peak" ARGUMENTS --check)
+study_refuses(unknown_table "did you mean \"history.csv:last:mass\"?"
+  SET "Study/Columns=histories.csv:last:mass")
+study_refuses(unknown_error "Error/Kind = none makes tables"
+  SET "Error/Kind=known value" "Error/Name=eror.density_L1" ARGUMENTS --check)
+study_refuses(missing_reference "\"no_such\" holds no finished run"
+  SET "Error/Kind=reference run" "Error/Reference folder=no_such")
+study_refuses(repeated_value "Values: \"20\" is there twice"
+  SET "Vary leaves/Values=10; 20; 20")
 study_refuses(ragged_table "parts between"
   SET "Vary scheme/Values=finite volume | 1")
 study_refuses(unwritable_output "output folder" OUTPUT "@FOLDER@/a_file/run")

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/parameters/parameter_tree.h>
+#include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/io/file/temporary_folder.h>
 #include <contrecoup/study/report.h>
 
@@ -144,25 +145,30 @@ TEST_F(FinishedStudy, TakesSizesOfCellsForMeshWidths)
 
 TEST_F(FinishedStudy, ShowsFurtherNumbersOfRunsAndReference)
 {
-  read({"Study/Columns=value; errors.none",
+  read({"Study/Columns=value; errors.none if any",
         "Error/Kind=reference run",
         "Error/Name=value",
         "Error/Reference folder=" + folder_.path() + "/second3/run"});
-  const StudyResult result = evaluate(parameters_, tasks_);
+  tasks_[3].outcome->kind = "unstable";
+  const StudyResult result = evaluate(parameters_, tasks_, false);
   ASSERT_EQ(result.rows[4].columns.size(), 2u);
+  EXPECT_EQ(result.n_unfinished(), 1u);
   EXPECT_EQ(result.rows[4].columns[0], 7.0625);
   EXPECT_TRUE(std::isnan(result.rows[4].columns[1]));
   const std::string text = to_markdown(parameters_, result);
   for (const std::string line : {"| scheme | level | value | none |",
                                  "| second | 2 | 7.062 |  |",
+                                 "| second | 1 | unstable | unstable |",
                                  "| reference run |  | 7.016 |  |",
-                                 "No run has \"errors.none\"."})
+                                 "Not finished, 1 of 6:"})
     EXPECT_NE(text.find("\n" + line + "\n"), std::string::npos) << text;
   const std::string table = to_csv(parameters_, result);
   EXPECT_NE(table.find(",\"value\",\"errors.none\",folder\n"),
             std::string::npos)
     << table;
   EXPECT_NE(table.find(",7.0625,,\""), std::string::npos) << table;
+  // Once all runs have ended, a column that none has is refused.
+  EXPECT_THROW(evaluate(parameters_, tasks_), InputError);
 }
 
 TEST_F(FinishedStudy, TablesNoErrorsWhereNoneIsMeasured)

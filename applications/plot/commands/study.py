@@ -4,14 +4,17 @@
 
 Reads study.json there and writes, as PNG and SVG, pictures/work_precision
 (error against cost and against unknowns) or pictures/stability_map (what
-became of each variant over the plane of two factors).
+became of each variant over the plane of two factors); of the outputs that
+Study/Columns names, pictures/curves (over the first factor with numbers) and
+pictures/chart (contours over two such factors).
 """
 
 import json
 import os
 
 from plot.readers.files import BrokenInput
-from plot.figures import stability_map, style, work_precision
+from plot.figures import (stability_map, study_curves, style,
+                          work_precision)
 
 
 def main(output_folder):
@@ -26,3 +29,5 @@ def main(output_folder):
         stability_map.draw_stability_map(study, pictures)
     elif any(row["error"] for row in study["rows"]):
         work_precision.draw_work_precision(study, pictures)
+    study_curves.draw_curves(study, pictures)
+    study_curves.draw_chart(study, pictures)

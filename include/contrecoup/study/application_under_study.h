@@ -3,12 +3,20 @@
 
 #pragma once
 
+#include <contrecoup/study/child_process.h>
 #include <contrecoup/study/factor.h>
 
 #include <map>
 
 namespace contrecoup::study
 {
+/// Entries of an application, by "Section/Entry".
+struct EntryList
+{
+  std::map<std::string, std::string> values;
+  std::map<std::string, std::string> units; ///< of those that have one
+};
+
 /// The application of a study, with the parameter file of its variants.
 class ApplicationUnderStudy
 {
@@ -22,14 +30,14 @@ public:
                         const std::string &parameter_file,
                         unsigned int ranks);
 
-  /// All entries of the parameter file, "Section/Entry" and value, after
-  /// applying @p settings.
+  /// Entries of the parameter file after applying @p settings.
   /// @throws InputError with the application's message when it refuses an
   /// entry or a value
-  std::map<std::string, std::string> entries(const Settings &settings) const;
+  EntryList entries(const Settings &settings) const;
 
-  /// Output of --check. @throws InputError with the application's message
-  std::string plan(const Settings &settings) const;
+  /// The application's message about a command that failed.
+  /// @throws SystemError when the machine failed
+  std::string refusal(const ProcessText &text) const;
 
   /// Command line of a run, with mpirun for several ranks.
   std::vector<std::string> command(const Settings &settings,
@@ -44,9 +52,6 @@ public:
   unsigned int ranks() const;
 
 private:
-  std::string run_with_option(const Settings &settings,
-                              const std::string &option) const;
-
   std::string name_;
   std::string program_;
   std::string parameter_file_;

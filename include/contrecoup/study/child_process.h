@@ -30,10 +30,12 @@ class ChildProcess
 public:
   /// @param command program, searched in PATH unless it contains a "/", and
   /// arguments
+  /// @param variables of the environment in addition, "NAME=value"
   /// @throws SystemError when the program cannot be started
   ChildProcess(const std::vector<std::string> &command,
                const std::string &output_file,
-               const std::string &error_file);
+               const std::string &error_file,
+               const std::vector<std::string> &variables = {});
   ~ChildProcess();
   ChildProcess(const ChildProcess &) = delete;
   ChildProcess &operator=(const ChildProcess &) = delete;

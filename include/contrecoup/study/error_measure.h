@@ -45,6 +45,10 @@ public:
     return reference_folder_;
   }
 
+  /// @throws InputError unless an existing reference folder holds a finished
+  /// run that has the quantity
+  void require_reference() const;
+
   /**
    * Error of a run; for self-convergence the quantity itself.
    * @param folder output folder of the run
@@ -60,13 +64,20 @@ public:
   /// Short name of the error in summary.json, such as "density_L1".
   std::string short_name() const;
 
+  /// Address of the output from which the error follows, see RunOutputs; empty
+  /// for curves and planes.
+  std::string address() const;
+
   /// Required error; 0: none given.
   double required_error() const;
 
 private:
   double quantity(const std::string &folder,
                   const nlohmann::json &summary) const;
+  double reference_quantity() const;
   double difference(const std::string &folder) const;
+  /// Whether the quantity is a path in summary.json.
+  bool is_in_summary() const;
   bool compares_files() const;
 
   /// Feature of a curve: last word of the quantity; empty for other

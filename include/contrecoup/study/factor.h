@@ -28,6 +28,7 @@ enum class Refinement
 struct Factor
 {
   std::string name;
+  std::string unit; ///< of its numbers; empty: none or unknown
   std::vector<std::string> entries;
 
   /// One row per value of the factor, with one text per entry. An empty text
@@ -52,13 +53,16 @@ struct Factor
   /// Entries and non-empty texts of a row.
   Settings settings(std::size_t row) const;
 
+  /// @throws InputError for two equal values or labels
+  void require_different(const std::string &where) const;
+
   /// Numerical value of a row: of its label, or else of the beginning of its
   /// first text; NaN if neither is a number.
   double number(std::size_t row) const;
 };
 
 /// All factors of a study in the order of the file.
-/// @throws InputError if there is none, or if two have the same first entry
+/// @throws InputError if there is none, or if two have the same entry
 std::vector<Factor> parse_factors(dealii::ParameterHandler &prm);
 
 /// Parses settings of the form "Section/Entry=value; ...".

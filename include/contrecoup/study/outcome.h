@@ -34,7 +34,7 @@ struct Outcome
 
 /**
  * Outcome of a process that ended.
- * @param folder output folder of the run with summary.json
+ * @param folder output folder of the run
  * @param error_file stderr of the run
  */
 Outcome judge(const ProcessEnd &end,

@@ -19,6 +19,9 @@ std::string to_markdown(const StudyParameters &parameters,
 std::string to_json(const StudyParameters &parameters,
                     const StudyResult &result);
 
+/// Table of all outputs of the run in @p folder: "output,value,unit".
+std::string outputs_csv(const std::string &folder);
+
 /// The recommendation in words for screen and table, several lines.
 std::vector<std::string> recommendation(const StudyParameters &parameters,
                                         const StudyResult &result);

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <contrecoup/study/column.h>
 #include <contrecoup/study/design.h>
 #include <contrecoup/study/error_measure.h>
 
@@ -14,9 +15,8 @@ struct StudyParameters
   std::string title;
   std::string application;
   std::string parameter_file;
-  Settings settings; ///< for all variants
-  /// paths in summary.json for further columns
-  std::vector<std::string> columns;
+  Settings settings;                  ///< for all variants
+  std::vector<ColumnRequest> columns; ///< further columns of the tables
   std::vector<Factor> factors;
   DesignParameters design;
   std::string mode; ///< work precision or stability map

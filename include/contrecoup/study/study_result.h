@@ -3,34 +3,28 @@
 
 #pragma once
 
+#include <contrecoup/study/run_record.h>
 #include <contrecoup/study/study_parameters.h>
 #include <contrecoup/study/variant_runner.h>
-
-#include <limits>
 
 namespace contrecoup::study
 {
 /// A row of the study's table.
 struct ResultRow
 {
-  static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  static constexpr double unknown = RunRecord::unknown;
 
   Variant variant;
   Outcome outcome;
   std::string folder;     ///< output folder of the run
   std::size_t series = 0; ///< rows of a series differ only in refinement
   double width = unknown; ///< relative mesh width [-]
-  double cells = unknown, unknowns = unknown, steps = unknown;
-  double retries = unknown;
-  double wall_seconds = unknown; ///< measured by the run [s]
-  double core_seconds = unknown;
-  double updates = unknown;
-  double memory = unknown; ///< [byte]
-  double cost = unknown;   ///< the cost that the study uses
+  RunRecord record;       ///< sizes and costs
+  double cost = unknown;  ///< the cost that the study uses
   double error = unknown;
   double order = unknown; ///< from the next coarser mesh of the series
   bool on_front = false;  ///< Pareto front of cost and error
-  /// Further columns; NaN where the run has no value.
+  /// Values of StudyResult::columns; NaN where the run has none.
   std::vector<double> columns;
 };
 
@@ -42,15 +36,22 @@ struct StudyResult
   /// The recommended row.
   std::optional<std::size_t> recommended;
   std::vector<std::string> remarks; ///< remarks for the user
+  std::vector<Column> columns;      ///< further columns
   /// ResultRow::columns of the reference run; empty without one.
   std::vector<double> reference_columns;
+
+  /// Number of runs that did not finish.
+  std::size_t n_unfinished() const;
 };
 
 /**
  * Reads the results of all runs, and computes errors, orders and Pareto front.
  * Skips tasks without outcome.
- * @throws InputError when a finished run lacks the quantity of the error
+ * @param is_complete whether no further run will follow
+ * @throws InputError when a finished run lacks the quantity of the error, and
+ * for a further column that no run has
  */
 StudyResult evaluate(const StudyParameters &parameters,
-                     const std::vector<Task> &tasks);
+                     const std::vector<Task> &tasks,
+                     bool is_complete = true);
 } // namespace contrecoup::study

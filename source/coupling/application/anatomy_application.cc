@@ -11,6 +11,7 @@
 #include <contrecoup/coupling/application/anatomy_application.h>
 #include <contrecoup/coupling/application/anatomy_parameters.h>
 #include <contrecoup/coupling/application/body_report.h>
+#include <contrecoup/io/application/check_file.h>
 #include <contrecoup/io/file/checked_file.h>
 #include <contrecoup/io/file/hex_mesh_files.h>
 #include <contrecoup/io/output/folder_claim.h>
@@ -338,6 +339,8 @@ namespace coupling
         const CostEstimate cost = AnatomyRun(parameters, folder).check();
         if (on_cost_estimate)
           on_cost_estimate(cost);
+        else
+          io::write_check_file({"anatomy", cost, {"*"}});
         return;
       }
       io::FolderClaim claim(folder,

@@ -10,6 +10,7 @@
 #include <contrecoup/coupling/scene/scene_results.h>
 #include <contrecoup/coupling/scene/scene_run.h>
 #include <contrecoup/coupling/scene/scene_tasks.h>
+#include <contrecoup/io/application/check_file.h>
 #include <contrecoup/io/file/checked_file.h>
 #include <contrecoup/io/output/pictures.h>
 #include <contrecoup/io/run/plan_table.h>
@@ -66,6 +67,23 @@ namespace
   private:
     bool was_active_;
   };
+
+  /// Sums for stages that run one after the other; the largest memory.
+  CostEstimate
+  total_of(const std::vector<std::pair<std::string, CostEstimate>> &costs)
+  {
+    CostEstimate total;
+    for (const auto &[name, cost] : costs)
+    {
+      total.cells += cost.cells;
+      total.unknowns += cost.unknowns;
+      total.steps += cost.steps;
+      total.seconds += cost.seconds;
+      total.memory = std::max(total.memory, cost.memory);
+      total.output += cost.output;
+    }
+    return total;
+  }
 } // namespace
 
 
@@ -110,6 +128,23 @@ std::vector<std::pair<std::string, CostEstimate>> SceneRun::costs()
 }
 
 
+void SceneRun::write_forecast(const CostEstimate &cost) const
+{
+  io::CheckReport report{"scene", cost, {"scene.json:*", "report.json:*"}};
+  for (const SceneTask &task : tasks_)
+  {
+    std::vector<std::string> outputs = io::file_outputs(task.files());
+    const std::vector<std::string> of_summary =
+      task.name() == "anatomy" ? std::vector<std::string>{"*"}
+                               : io::summary_outputs();
+    outputs.insert(outputs.end(), of_summary.begin(), of_summary.end());
+    for (const std::string &output : outputs)
+      report.outputs.push_back(task.name() + "/" + output);
+  }
+  io::write_check_file(report);
+}
+
+
 void SceneRun::check()
 {
   scene_->print(true);
@@ -119,6 +154,10 @@ void SceneRun::check()
     if (task.is_finished())
       show_line("stage " + task.name() + " is finished in " + task.folder());
   const auto rows = costs();
+  collective_.run([&]() {
+    if (is_first_rank_)
+      write_forecast(total_of(rows));
+  });
   if (rows.empty())
     return;
   show_line("scene would run " + command_.parameter_file +
@@ -132,13 +171,7 @@ void SceneRun::check()
 void SceneRun::show_stages(
   const std::vector<std::pair<std::string, CostEstimate>> &costs) const
 {
-  CostEstimate total;
-  for (const auto &[name, cost] : costs)
-  {
-    total.seconds += cost.seconds;
-    total.memory = std::max(total.memory, cost.memory);
-    total.output += cost.output;
-  }
+  const CostEstimate total = total_of(costs);
   std::vector<std::string> names;
   for (const SceneTask &task : tasks_)
     names.push_back(task.name() +

@@ -10,6 +10,7 @@
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/base/system/timers.h>
 #include <contrecoup/base/system/version.h>
+#include <contrecoup/io/application/check_file.h>
 #include <contrecoup/io/application/cost_forecast.h>
 #include <contrecoup/io/application/run.h>
 #include <contrecoup/io/output/pictures.h>
@@ -96,6 +97,8 @@ namespace io
       cached_or_forecast_cost(description_, prm_, estimate(), collective_);
     if (description_.on_cost_estimate)
       description_.on_cost_estimate(cost);
+    else
+      write_check(cost);
     show_line(
       description_.name + " would run" +
       (description_.on_cost_estimate ? "" : " " + command_.parameter_file) +
@@ -111,6 +114,18 @@ namespace io
         show_line(line);
     }
     show_line("The parameters are valid.");
+  }
+
+  void Run::write_check(const CostEstimate &cost)
+  {
+    collective_.run([&]() {
+      std::vector<std::string> outputs = summary_outputs(simulation_.plan());
+      for (const std::string &output : file_outputs(folder_.names()))
+        outputs.push_back(output);
+      if (dealii::Utilities::MPI::this_mpi_process(
+            collective_.communicator()) == 0)
+        write_check_file({description_.name, cost, outputs});
+    });
   }
 
   void Run::prepare()

@@ -100,7 +100,9 @@ def study_failures(case, check_bound, read_summary):
         "set Labels = good; refused; long; unstable",
         "end"])
     output = case.folder("run")
-    case.run(output, file=file)
+    _, _, err = case.run(output, file=file, codes=(2,))
+    require("3 of 4 variants did not finish; the first (refused)" in err,
+            f"not how many failed: {err}")
     found = {row["end"]: (row["outcome"], row["reason"])
              for row in read_table(output)}
     print(found)
@@ -114,10 +116,18 @@ def study_failures(case, check_bound, read_summary):
     require(not processes_in(output), "processes were left")
     with open(os.path.join(output, "study.md")) as table:
         require("- refused: refused, " in table.read(), "study.md lacks it")
-    code, _, err = case.run(output, file=file, codes=(1,),
-                            extra=["--resume", "--set",
-                                   "Error/Name=densty_L1"])
-    require('did you mean "density_L1"' in err, f"misspelt error: {err}")
+    summary = read_summary(output)
+    require((summary["finished_variants"], summary["failed_variants"]) ==
+            (1, 3), "the summary counts otherwise")
+    for entry, name in (("Error/Name=densty_L1", "density_L1"),
+                        ("Study/Columns=errors.densty_L1",
+                         "errors.density_L1")):
+        _, _, err = case.run(output, file=file, codes=(1,),
+                             extra=["--resume", "--set", entry])
+        require(f'did you mean "{name}"' in err, f"misspelt: {err}")
+    with open(os.path.join(output, "outputs.csv")) as outputs:
+        require('"errors.density_L1",' in outputs.read(),
+                "outputs.csv lacks an output")
 
 
 def interrupted(case, end, extra=(), least=2):

@@ -38,6 +38,8 @@ private:
   std::optional<CostEstimate> cost_of(SceneTask &task);
   /// Cost estimates of the unfinished tasks and of the report.
   std::vector<std::pair<std::string, CostEstimate>> costs();
+  /// Writes the forecast for other programs, see io::write_check_file().
+  void write_forecast(const CostEstimate &cost) const;
   /// Says which tasks a run has and what they cost.
   void show_stages(
     const std::vector<std::pair<std::string, CostEstimate>> &costs) const;

@@ -62,6 +62,12 @@ public:
     return name_;
   }
 
+  /// Names of the files in its folder.
+  const io::FileNames &files() const
+  {
+    return names_;
+  }
+
   /// Folder of the results.
   std::string folder() const
   {

@@ -37,6 +37,7 @@ namespace io
 
   private:
     CostEstimate estimate();
+    void write_check(const CostEstimate &cost);
     void prepare();
     void summarise(const std::string &status, const std::string &message);
     void draw_pictures() const;

@@ -75,6 +75,12 @@ namespace io
     /// Files of every run, without those of the solver.
     static FileNames run_files();
 
+    /// Patterns of the names of all files of this run.
+    const FileNames &names() const
+    {
+      return names_;
+    }
+
     /// Path of a file in this folder.
     std::string path(const std::string &name = "") const;
 

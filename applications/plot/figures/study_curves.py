@@ -1,0 +1,214 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Contrecoup authors
+"""Pictures of the outputs of a study over its factors: curves over one, and
+charts with contours over two."""
+
+import math
+
+import matplotlib.pyplot as plt
+import numpy as np
+
+from plot.figures import style, work_precision
+
+MOST_PANELS, MOST_COLUMNS = 12, 3
+# Axes whose numbers span more than this factor are logarithmic.
+LOGARITHMIC_X, LOGARITHMIC_Y = 4., 10.
+
+
+def numbers(study, factor):
+    """Values of a factor in all rows; None where one is no number."""
+    values = [row["numbers"][factor] for row in study["rows"]]
+    return None if any(value is None for value in values) else values
+
+
+def numeric_factors(study):
+    """Factors with at least two different numbers, those of meshes last."""
+    found = [number for number in range(len(study["factors"]))
+             if len(set(numbers(study, number) or [])) > 1]
+    return sorted(found, key=lambda number: study["factors"][number]["refines"])
+
+
+def shown_columns(study):
+    """Columns with at least one finite value, as many as a picture can show."""
+    return [number for number in range(len(study["columns"]))
+            if any(value(row, number) is not None for row in study["rows"])
+            ][:MOST_PANELS]
+
+
+def value(row, column):
+    return row["columns"][column] if row["columns"] else None
+
+
+def factor_label(factor):
+    return style.label(factor["name"], factor["unit"])
+
+
+def spans(values, ratio):
+    """Whether positive numbers span more than this ratio."""
+    return min(values) > 0. and max(values) > ratio * min(values)
+
+
+def panels(count):
+    columns = min(count, MOST_COLUMNS)
+    rows = math.ceil(count / columns)
+    figure, axes = plt.subplots(rows, columns, squeeze=False,
+                                figsize=(4.2 * columns + 0.6, 3.3 * rows + 0.6))
+    for axis in axes.flat[count:]:
+        axis.set_visible(False)
+    return figure, list(axes.flat[:count])
+
+
+def title(study):
+    """Title of a picture, with the number of runs that have no values."""
+    missing = sum(not row["columns"] for row in study["rows"])
+    return study["title"] + (
+        f" ({missing} of {len(study['rows'])} runs did not finish)"
+        if missing else "")
+
+
+def label_x(axis, factor, values):
+    axis.set_xlabel(factor_label(factor))
+    if spans(values, LOGARITHMIC_X):
+        axis.set_xscale("log")
+        style.label_decades(axis.xaxis)
+
+
+def lines_by_label(study, across):
+    """Rows by the labels of all factors but the one across, in their order;
+    each sorted along that factor."""
+    lines = {}
+    for row in study["rows"]:
+        label = ", ".join(text for number, text in enumerate(row["labels"])
+                          if number != across)
+        lines.setdefault(label, []).append(row)
+    for rows in lines.values():
+        rows.sort(key=lambda row: row["numbers"][across])
+    return lines
+
+
+def draw_curves(study, folder):
+    """Each output over the first factor with numbers, a line for each
+    combination of the others. Returns whether there was something to draw."""
+    factors, columns = numeric_factors(study), shown_columns(study)
+    if not factors or not columns:
+        return False
+    across = factors[0]
+    lines = lines_by_label(study, across)
+    figure, axes = panels(len(columns))
+    for axis, column in zip(axes, columns):
+        draw_curve(axis, study, across, column, lines)
+    others = ", ".join(factor["name"]
+                       for number, factor in enumerate(study["factors"])
+                       if number != across)
+    if others:
+        # Beside the last panel of the first row.
+        axes[min(len(axes), MOST_COLUMNS) - 1].legend(
+            title=others, loc="upper left", bbox_to_anchor=(1.02, 1.),
+            borderaxespad=0.)
+    figure.suptitle(title(study), x=0.01, ha="left")
+    work_precision.save(figure, folder, "curves")
+    return True
+
+
+def draw_curve(axis, study, across, column, lines):
+    found = [value(row, column) for row in study["rows"]]
+    found = [number for number in found if number is not None]
+    scale, unit = style.scale_unit(study["columns"][column]["unit"] or "-",
+                                   max(map(abs, found)))
+    for number, (label, rows) in enumerate(lines.items()):
+        axis.plot([row["numbers"][across] for row in rows],
+                  [math.nan if value(row, column) is None
+                   else value(row, column) * scale for row in rows],
+                  label=label, markersize=4,
+                  color=style.COLOURS[number % len(style.COLOURS)],
+                  marker=work_precision.MARKERS[
+                      number % len(work_precision.MARKERS)])
+    reference = study["reference_columns"]
+    if reference and reference[column] is not None:
+        axis.axhline(reference[column] * scale, color=style.GREY,
+                     linestyle="--", linewidth=0.8)
+        axis.annotate("reference run", (0.99, reference[column] * scale),
+                      (0, 3), xycoords=("axes fraction", "data"), ha="right",
+                      textcoords="offset points", fontsize=8,
+                      color=style.GREY)
+    label_x(axis, study["factors"][across], numbers(study, across))
+    axis.set_ylabel(style.label(study["columns"][column]["title"], unit))
+    if spans(found, LOGARITHMIC_Y):
+        axis.set_yscale("log")
+        style.label_decades(axis.yaxis)
+
+
+def draw_chart(study, folder):
+    """Contours of each output over two factors with numbers, as in charts of
+    pressure and impulse. Returns whether the study has two such factors and
+    no others."""
+    factors, columns = numeric_factors(study), shown_columns(study)
+    if len(factors) != 2 or len(study["factors"]) != 2 or not columns:
+        return False
+    across, upwards = sorted(factors)
+    x = sorted(set(numbers(study, across)))
+    y = sorted(set(numbers(study, upwards)))
+    if len(x) * len(y) != len({tuple(row["numbers"])
+                               for row in study["rows"]}):
+        return False
+    figure, axes = panels(len(columns))
+    for axis, column in zip(axes, columns):
+        grid = np.full((len(y), len(x)), np.nan)
+        for row in study["rows"]:
+            if value(row, column) is not None:
+                grid[y.index(row["numbers"][upwards]),
+                     x.index(row["numbers"][across])] = value(row, column)
+        draw_contours(figure, axis, study["columns"][column], x, y, grid)
+        label_x(axis, study["factors"][across], x)
+        axis.set_ylabel(factor_label(study["factors"][upwards]))
+        if spans(y, LOGARITHMIC_X):
+            axis.set_yscale("log")
+            style.label_decades(axis.yaxis)
+    figure.suptitle(title(study), x=0.01, ha="left")
+    work_precision.save(figure, folder, "chart")
+    return True
+
+
+def levels_of(values):
+    """Round numbers between the smallest and the largest of these, ten to a
+    decade at most where they span decades."""
+    low, high = float(np.min(values)), float(np.max(values))
+    if low > 0. and high > LOGARITHMIC_Y * low:
+        decades = range(math.floor(math.log10(low)),
+                        math.ceil(math.log10(high)) + 1)
+        steps = (1., 2., 5.) if high < 1e4 * low else (1.,)
+        levels = [step * 10.**decade for decade in decades for step in steps]
+    else:
+        levels = plt.MaxNLocator(8).tick_values(low, high)
+    return [level for level in levels if low < level < high]
+
+
+def draw_contours(figure, axis, column, x, y, grid):
+    """Map of an output with contours; the runs are dots, crosses where one has
+    no value."""
+    found = grid[np.isfinite(grid)]
+    scale, unit = style.scale_unit(column["unit"] or "-",
+                                   float(np.max(np.abs(found))))
+    values = np.ma.masked_invalid(grid * scale)
+    axis.set_title(style.label(column["title"], unit))
+    axis.set_facecolor("#cccccc")
+    axis.grid(False)
+    levels = levels_of(found * scale)
+    if levels and min(grid.shape) > 1:
+        logarithmic = spans(found, LOGARITHMIC_Y)
+        shades = np.geomspace if logarithmic else np.linspace
+        ends = shades(float(values.min()), float(values.max()), 24)
+        norm = plt.matplotlib.colors.LogNorm() if logarithmic else None
+        axis.contourf(x, y, values, levels=ends, norm=norm,
+                      cmap=style.SEQUENTIAL, alpha=0.6, extend="both")
+        lines = axis.contour(x, y, values, levels=levels, colors="black",
+                             linewidths=0.9)
+        axis.clabel(lines, fmt=lambda level: f"{level:g}", fontsize=8)
+    for j, height in enumerate(y):
+        for i, place in enumerate(x):
+            known = np.isfinite(grid[j, i])
+            axis.plot(place, height, color="black", markersize=3,
+                      marker="o" if known else "x", clip_on=False)
+            if known and not levels:
+                axis.annotate(f"{values[j, i]:.3g}", (place, height),
+                              fontsize=8, ha="center", va="bottom")

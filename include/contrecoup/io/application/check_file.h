@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/base/run/simulation.h>
+#include <contrecoup/io/output/manifest.h>
+
+#include <string>
+#include <vector>
+
+namespace contrecoup
+{
+namespace io
+{
+  /// What --check found, for other programs.
+  struct CheckReport
+  {
+    std::string application;
+    CostEstimate cost;
+    /// Numbers that the run can leave, "*" for any letters: "results.*" in
+    /// summary.json, "gauge_measures.csv:*" in a table, "blast/results.*" in
+    /// the folder of a stage.
+    std::vector<std::string> outputs;
+  };
+
+  /// Numbers in summary.json of a solver with this plan; those of any plan if
+  /// it is empty.
+  std::vector<std::string>
+  summary_outputs(const std::vector<Assumption> &plan = {});
+
+  /// Numbers in the tables and JSON files among @p names, without summary.json.
+  std::vector<std::string> file_outputs(const FileNames &names);
+
+  /// Writes the report as JSON to the file that the environment variable
+  /// CONTRECOUP_CHECK_FILE names; nothing without it. For one rank.
+  /// @throws SystemError
+  void write_check_file(const CheckReport &report);
+
+  /// Reads such a file. @throws SystemError if it is missing or damaged
+  CheckReport read_check_file(const std::string &file);
+} // namespace io
+} // namespace contrecoup

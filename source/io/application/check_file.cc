@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/io/application/check_file.h>
+#include <contrecoup/io/file/checked_file.h>
+#include <contrecoup/io/output/summary.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+
+namespace contrecoup
+{
+namespace io
+{
+  namespace
+  {
+    using Json = nlohmann::ordered_json;
+
+    const std::vector<std::pair<const char *, double CostEstimate::*>> figures =
+      {{"cells", &CostEstimate::cells},
+       {"unknowns", &CostEstimate::unknowns},
+       {"steps", &CostEstimate::steps},
+       {"memory_bytes", &CostEstimate::memory},
+       {"wall_seconds", &CostEstimate::seconds},
+       {"output_bytes", &CostEstimate::output}};
+
+    bool contains(const std::string &text, const std::string &part)
+    {
+      return text.find(part) != std::string::npos;
+    }
+
+    /// Adds the addresses of numbers below @p node; any in an empty object.
+    void add_numbers(const Json &node,
+                     const std::string &path,
+                     std::vector<std::string> &outputs)
+    {
+      const std::string begin = path.empty() ? "" : path + ".";
+      if (node.is_object() && node.empty())
+        outputs.push_back(begin + "*");
+      else if (node.is_object())
+        for (const auto &item : node.items())
+          add_numbers(item.value(), begin + item.key(), outputs);
+      else if (node.is_number() || node.is_null())
+        outputs.push_back(path);
+    }
+  } // namespace
+
+  std::vector<std::string> summary_outputs(const std::vector<Assumption> &plan)
+  {
+    Summary summary;
+    std::vector<std::string> outputs;
+    add_numbers(Json::parse(to_text(summary)), "", outputs);
+    const auto any = std::find(outputs.begin(), outputs.end(), "assumptions.*");
+    if (!plan.empty())
+      outputs.erase(any);
+    for (const Assumption &item : plan)
+      outputs.push_back("assumptions." + item.name + ".*");
+    return outputs;
+  }
+
+  std::vector<std::string> file_outputs(const FileNames &names)
+  {
+    std::vector<std::string> outputs;
+    for (const auto *list : {&names.results, &names.others})
+      for (std::string name : *list)
+        if (!contains(name, "/") && name != "summary.json" &&
+            (contains(name, ".csv") || contains(name, ".json")))
+        {
+          // "#" stands for digits.
+          std::replace(name.begin(), name.end(), '#', '*');
+          outputs.push_back(name + ":*");
+        }
+    return outputs;
+  }
+
+  void write_check_file(const CheckReport &report)
+  {
+    const char *file = std::getenv("CONTRECOUP_CHECK_FILE");
+    if (file == nullptr)
+      return;
+    Json json = {{"application", report.application}};
+    for (const auto &[name, figure] : figures)
+      json[name] = std::isfinite(report.cost.*figure)
+                     ? Json(report.cost.*figure)
+                     : Json(nullptr);
+    json["outputs"] = report.outputs;
+    write_file(file, [&](std::ostream &out) {
+      out << json.dump(2, ' ', false, Json::error_handler_t::replace) << "\n";
+    });
+  }
+
+  CheckReport read_check_file(const std::string &file)
+  {
+    const Json json = Json::parse(read_file(file), nullptr, false);
+    CheckReport report;
+    try
+    {
+      report.application = json.at("application").get<std::string>();
+      for (const auto &[name, figure] : figures)
+        report.cost.*figure = json.at(name).is_null()
+                                ? std::numeric_limits<double>::quiet_NaN()
+                                : json.at(name).get<double>();
+      report.outputs = json.at("outputs").get<std::vector<std::string>>();
+    }
+    catch (const Json::exception &)
+    {
+      throw SystemError("cannot read the forecast \"" + file + "\"");
+    }
+    return report;
+  }
+} // namespace io
+} // namespace contrecoup

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/study/run_record.h>
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <fstream>
+
+namespace contrecoup::study
+{
+namespace
+{
+  using Json = nlohmann::json;
+
+  /// Content of a JSON file; null if it is missing or invalid.
+  Json read_json(const std::string &file)
+  {
+    std::ifstream input(file);
+    return input ? Json::parse(input, nullptr, false) : Json();
+  }
+
+  const Json &member(const Json &object, const std::string &name)
+  {
+    static const Json none;
+    return object.is_object() && object.contains(name) ? object[name] : none;
+  }
+
+  double number(const Json &object, const std::string &name)
+  {
+    const Json &value = member(object, name);
+    return value.is_number() ? value.get<double>() : RunRecord::unknown;
+  }
+
+  std::string text(const Json &object, const std::string &name)
+  {
+    const Json &value = member(object, name);
+    return value.is_string() ? value.get<std::string>() : "";
+  }
+
+  RunRecord of_summary(const Json &summary)
+  {
+    const Json &performance = member(summary, "performance");
+    RunRecord record;
+    record.status = text(summary, "status");
+    record.message = text(summary, "message");
+    record.cells = number(summary, "cells");
+    record.unknowns = number(summary, "unknowns");
+    record.steps = number(summary, "steps");
+    record.retries = number(summary, "retries");
+    record.wall_seconds = number(summary, "wall_seconds");
+    record.core_seconds = number(performance, "core_seconds");
+    record.updates = number(performance, "updates");
+    record.memory = number(performance, "peak_memory_bytes");
+    return record;
+  }
+
+  void add(const double value, double &sum)
+  {
+    if (!std::isnan(value))
+      sum = std::isnan(sum) ? value : sum + value;
+  }
+
+  /// Adds a stage, a row of scene.json.
+  void
+  add_stage(const std::string &folder, const Json &stage, RunRecord &record)
+  {
+    const RunRecord own = of_summary(
+      read_json(folder + "/" + text(stage, "folder") + "/summary.json"));
+    for (double RunRecord::*const value : {&RunRecord::cells,
+                                           &RunRecord::unknowns,
+                                           &RunRecord::steps,
+                                           &RunRecord::retries,
+                                           &RunRecord::updates})
+      add(own.*value, record.*value);
+    add(number(stage, "wall_seconds"), record.wall_seconds);
+    add(number(stage, "core_seconds"), record.core_seconds);
+    record.memory = std::fmax(record.memory, number(stage, "peak_memory"));
+  }
+} // namespace
+
+RunRecord read_record(const std::string &folder)
+{
+  const Json summary = read_json(folder + "/summary.json");
+  if (summary.is_object())
+    return of_summary(summary);
+  RunRecord record;
+  record.status = text(read_json(folder + "/manifest.json"), "status");
+  const Json scene = read_json(folder + "/scene.json");
+  const Json &stages = member(scene, "stages");
+  if (stages.is_array())
+    for (const Json &stage : stages)
+      add_stage(folder, stage, record);
+  return record;
+}
+} // namespace contrecoup::study

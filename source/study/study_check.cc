@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/log.h>
+#include <contrecoup/base/system/text.h>
+#include <contrecoup/study/study.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace contrecoup::study
+{
+namespace
+{
+  /// Refused variants that are named on the screen.
+  constexpr std::size_t most_refusals = 5;
+
+  /// Whether trial runs, and with them forecasts, are wanted.
+  bool wants_forecasts()
+  {
+    const char *text = std::getenv("CONTRECOUP_CHECK_SECONDS");
+    return text == nullptr || std::strtod(text, nullptr) > 0.;
+  }
+
+  std::string from_to(const double least, const double most)
+  {
+    return brief(least, 7) + (most > least ? " to " + brief(most, 7) : "");
+  }
+} // namespace
+
+void Study::require_possible_outputs(
+  const std::vector<VariantForecast> &forecasts) const
+{
+  std::vector<std::string> outputs;
+  for (const VariantForecast &forecast : forecasts)
+    outputs.insert(outputs.end(),
+                   forecast.report.outputs.begin(),
+                   forecast.report.outputs.end());
+  // A refused variant, or a program of another kind, says nothing of outputs.
+  if (outputs.empty())
+    return;
+  const auto require = [&](const std::string &address,
+                           const std::string &where,
+                           const std::string &advice) {
+    if (!can_have(outputs, address))
+      throw InputError(where + ": a run of " + application_.name() +
+                       " has no output \"" + address + "\"" + advice);
+  };
+  const bool all_asked = forecasts.size() == tasks_.size();
+  for (const ColumnRequest &column : parameters_.columns)
+    if (all_asked || !column.may_be_missing)
+      require(column.address,
+              "Study/Columns",
+              suggest_output(outputs, column.address));
+  const std::string of_error = parameters_.error.address();
+  if (!of_error.empty())
+    require(of_error,
+            "Error/Name",
+            "; Error/Kind = none makes tables and curves of Study/Columns "
+            "without errors");
+}
+
+void Study::require_accepted(
+  const std::vector<VariantForecast> &forecasts) const
+{
+  std::size_t n_refused = 0;
+  std::string first;
+  for (std::size_t i = 0; i < forecasts.size(); ++i)
+  {
+    if (forecasts[i].refusal.empty())
+      continue;
+    const std::string line =
+      "the run (" + task_label(tasks_[i]) + "): " + forecasts[i].refusal;
+    if (++n_refused == 1)
+      first = line;
+    if (n_refused <= most_refusals)
+      show_line("would be refused: " + line);
+  }
+  const bool is_result =
+    parameters_.mode == "stability map" && n_refused < forecasts.size();
+  if (n_refused > 0 && !is_result)
+    throw InputError((forecasts.size() == 1
+                        ? ""
+                        : std::to_string(n_refused) + " of " +
+                            std::to_string(forecasts.size()) +
+                            " variants would be refused; ") +
+                     first);
+}
+
+void Study::print_costs(const std::vector<VariantForecast> &forecasts) const
+{
+  double least_cells = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < forecasts.size(); ++i)
+  {
+    const CostEstimate &cost = forecasts[i].report.cost;
+    least_cells = std::min(least_cells, cost.cells);
+    log_line("  " + task_label(tasks_[i]) + ": " + brief(cost.cells, 7) +
+             " cells, about " + brief(cost.steps, 3) + " steps, " +
+             bytes(cost.memory) + " of memory, " + duration(cost.seconds) +
+             ", output " + bytes(cost.output));
+  }
+  const std::size_t slots = std::min<std::size_t>(
+    std::max(1U, parameters_.cores / parameters_.ranks), tasks_.size());
+  const CostEstimate sum = sum_of(forecasts, slots);
+  show_line("all runs, " + std::to_string(slots) + " at once:");
+  show_line("  cells     " + from_to(least_cells, sum.cells));
+  show_line("  steps     about " + brief(sum.steps, 3) + " in all");
+  show_line("  memory    about " + bytes(sum.memory) + " for the largest run" +
+            (slots > 1
+               ? ", up to " + bytes(static_cast<double>(slots) * sum.memory) +
+                   " for those at once"
+               : ""));
+  show_line("  wall time about " + duration(sum.seconds));
+  show_line("  output    about " + bytes(sum.output) + " in " + folder_);
+}
+
+void Study::check() const
+{
+  const bool with_trials = wants_forecasts();
+  const std::size_t n_asked = with_trials ? tasks_.size() : 1;
+  const auto forecasts = forecast_variants(
+    application_, tasks_, n_asked, parameters_.cores, with_trials);
+  show_line("study would run " + std::to_string(tasks_.size()) + " times " +
+            application_.name() + " on " + parameters_.parameter_file + ":");
+  for (const Factor &factor : parameters_.factors)
+    show_line("  " + factor.name + ": " +
+              (factor.is_range
+                 ? brief(factor.lower) + " to " + brief(factor.upper)
+                 : join(factor.labels, "; ")));
+  require_possible_outputs(forecasts);
+  require_accepted(forecasts);
+  if (n_asked == tasks_.size())
+    print_costs(forecasts);
+  else
+    show_line("  output " + folder_);
+  log_line("The first run:");
+  log_line(forecasts.front().text);
+}
+} // namespace contrecoup::study

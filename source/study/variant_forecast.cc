@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/log.h>
+#include <contrecoup/base/system/signals.h>
+#include <contrecoup/base/system/text.h>
+#include <contrecoup/io/file/checked_file.h>
+#include <contrecoup/io/file/temporary_folder.h>
+#include <contrecoup/study/variant_forecast.h>
+
+#include <fnmatch.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <thread>
+
+namespace contrecoup::study
+{
+namespace
+{
+  const std::string seconds_variable = "CONTRECOUP_CHECK_SECONDS";
+  /// Time for the trial runs of all variants, and the least for each [s].
+  constexpr double all_seconds = 60., least_seconds = 0.25;
+
+  /// Time for the trial runs of each of @p count variants [s].
+  double trial_seconds(const double count, const double slots)
+  {
+    const char *text = std::getenv(seconds_variable.c_str());
+    const double wanted = text ? std::strtod(text, nullptr) : 4.;
+    return std::min(wanted,
+                    std::max(least_seconds, all_seconds * slots / count));
+  }
+
+  /// A running --check.
+  struct Running
+  {
+    VariantForecast *forecast;
+    std::unique_ptr<io::TemporaryFolder> folder;
+    std::unique_ptr<ChildProcess> process;
+  };
+
+  Running start(const ApplicationUnderStudy &application,
+                const Task &task,
+                const double seconds,
+                VariantForecast &forecast)
+  {
+    Running running{&forecast, std::make_unique<io::TemporaryFolder>(), {}};
+    const std::string path = running.folder->path();
+    std::vector<std::string> command =
+      application.command(task.variant.settings, path + "/run");
+    command.emplace_back("--check");
+    running.process = std::make_unique<ChildProcess>(
+      command,
+      path + "/output.txt",
+      path + "/errors.txt",
+      std::vector<std::string>{"CONTRECOUP_CHECK_FILE=" + path + "/check.json",
+                               seconds_variable + "=" + exact(seconds)});
+    return running;
+  }
+
+  void finish(const ApplicationUnderStudy &application,
+              const ProcessEnd &end,
+              const Running &running)
+  {
+    const std::string path = running.folder->path();
+    VariantForecast &forecast = *running.forecast;
+    forecast.text = io::read_file(path + "/output.txt");
+    if (end.exit_code != 0 || end.signal != 0)
+      forecast.refusal = application.refusal(
+        {end, "", last_line(io::read_file(path + "/errors.txt"))});
+    else if (std::filesystem::exists(path + "/check.json"))
+      forecast.report = io::read_check_file(path + "/check.json");
+  }
+
+  std::string literal_begin(const std::string &pattern)
+  {
+    return pattern.substr(0, pattern.find('*'));
+  }
+
+  bool begins_with(const std::string &text, const std::string &begin)
+  {
+    return text.compare(0, begin.size(), begin) == 0;
+  }
+} // namespace
+
+std::vector<VariantForecast>
+forecast_variants(const ApplicationUnderStudy &application,
+                  const std::vector<Task> &tasks,
+                  const std::size_t count,
+                  const unsigned int cores,
+                  const bool with_trials)
+{
+  std::vector<VariantForecast> forecasts(std::min(count, tasks.size()));
+  const std::size_t slots = std::max(1U, cores / application.ranks());
+  const double seconds =
+    with_trials ? trial_seconds(static_cast<double>(forecasts.size()),
+                                static_cast<double>(slots))
+                : 0.;
+  std::list<Running> running;
+  std::size_t next = 0, done = 0;
+  while (done < forecasts.size())
+  {
+    SignalGuard::require_no_stop();
+    for (; next < forecasts.size() && running.size() < slots; ++next)
+      running.push_back(
+        start(application, tasks[next], seconds, forecasts[next]));
+    for (auto one = running.begin(); one != running.end();)
+      if (const auto end = one->process->poll())
+      {
+        finish(application, *end, *one);
+        one = running.erase(one);
+        Log::instance().status(std::to_string(++done) + " of " +
+                               std::to_string(forecasts.size()) +
+                               " runs checked");
+      }
+      else
+        ++one;
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  return forecasts;
+}
+
+CostEstimate sum_of(const std::vector<VariantForecast> &forecasts,
+                    const std::size_t slots)
+{
+  CostEstimate sum;
+  std::vector<double> busy_until(std::max<std::size_t>(1, slots), 0.);
+  for (const VariantForecast &forecast : forecasts)
+  {
+    const CostEstimate &cost = forecast.report.cost;
+    sum.cells = std::max(sum.cells, cost.cells);
+    sum.unknowns = std::max(sum.unknowns, cost.unknowns);
+    sum.memory = std::max(sum.memory, cost.memory);
+    sum.steps += cost.steps;
+    sum.output += cost.output;
+    *std::min_element(busy_until.begin(), busy_until.end()) += cost.seconds;
+  }
+  sum.seconds = *std::max_element(busy_until.begin(), busy_until.end());
+  return sum;
+}
+
+bool can_have(const std::vector<std::string> &outputs,
+              const std::string &address)
+{
+  return std::any_of(
+    outputs.begin(), outputs.end(), [&](const std::string &output) {
+      if (address.find('*') == std::string::npos)
+        return fnmatch(output.c_str(), address.c_str(), 0) == 0;
+      // Two patterns can agree if what precedes their first "*" does.
+      const std::string one = literal_begin(output);
+      const std::string other = literal_begin(address);
+      return begins_with(one, other) || begins_with(other, one);
+    });
+}
+
+std::string suggest_output(const std::vector<std::string> &outputs,
+                           const std::string &address)
+{
+  // The end of an address, which follows the first "." or ":", is unknown.
+  const std::size_t mark =
+    address.find(address.find(':') == std::string::npos ? '.' : ':');
+  const std::string end =
+    mark == std::string::npos ? "" : address.substr(mark + 1);
+  std::vector<std::string> candidates, patterns;
+  for (const std::string &output : outputs)
+  {
+    const bool is_pattern = output.find('*') != std::string::npos;
+    candidates.push_back(literal_begin(output) + (is_pattern ? end : ""));
+    if (is_pattern)
+      patterns.push_back(output);
+  }
+  const std::string best = nearest(address, candidates);
+  return best.empty() ? "; it has " + join(patterns, ", ")
+                      : "; did you mean \"" + best + "\"?";
+}
+} // namespace contrecoup::study

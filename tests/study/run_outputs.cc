@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/io/file/temporary_folder.h>
+#include <contrecoup/study/column.h>
+#include <contrecoup/study/run_record.h>
+#include <contrecoup/study/variant_forecast.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+using namespace contrecoup;
+using namespace contrecoup::study;
+
+namespace
+{
+/// Message of the InputError that @p work throws; empty: none.
+template <typename Work>
+std::string refusal(const Work &work)
+{
+  try
+  {
+    work();
+  }
+  catch (const InputError &error)
+  {
+    return error.what();
+  }
+  return "";
+}
+
+/// The output folder of a scene with a blast and a body.
+class SceneFolder : public testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    write("manifest.json", R"({"status": "finished"})");
+    write("scene.json", R"({"distance": 2.5, "title": "x", "stages": [
+      {"name": "blast", "folder": "blast", "wall_seconds": 3,
+       "core_seconds": 5, "peak_memory": 100},
+      {"name": "biomechanics", "folder": "biomechanics", "wall_seconds": 4,
+       "core_seconds": 7, "peak_memory": 80}]})");
+    write("blast/summary.json", R"({"status": "finished", "steps": 10,
+      "retries": 0, "results": {"peak": {"value": 3.5, "unit": "Pa"}},
+      "assumptions": {"air": {"unit": "-", "measured": null, "at_most": 1}}})");
+    write("biomechanics/summary.json",
+          R"({"status": "finished", "steps": 20, "retries": 2})");
+    write("blast/gauges.csv",
+          "measure,place,value,unit,definition\n"
+          "exposure,trunk,0.5,-,\"one, two\"\n"
+          "velocity,left ear,nan,m/s,\"three\"\n");
+    write("blast/history.csv", "step,time [s],mass [kg]\n0,0,2\n5,1,4\n");
+    write("blast/loads.csv",
+          "time [s],chest [Pa],back [Pa]\n"
+          "0,0,0\n1,2,nan\n2,-1,1\n3,-1,1\n");
+  }
+
+  void write(const std::string &name, const std::string &text) const
+  {
+    const std::filesystem::path file = folder_.path() + "/" + name;
+    std::filesystem::create_directories(file.parent_path());
+    std::ofstream(file) << text;
+  }
+
+  contrecoup::io::TemporaryFolder folder_;
+};
+} // namespace
+
+TEST_F(SceneFolder, HasOutputsOfAllStagesAndFiles)
+{
+  const RunOutputs outputs(folder_.path());
+  const std::vector<std::tuple<std::string, double, std::string>> expected = {
+    {"scene.json:distance", 2.5, ""},
+    {"blast/results.peak", 3.5, "Pa"},
+    {"blast/assumptions.air.at_most", 1., ""},
+    {"blast/gauges.csv:exposure trunk:value", 0.5, ""},
+    {"blast/history.csv:last:mass", 4., "kg"},
+    {"blast/history.csv:impulse:mass", 1., "kg s"},
+    {"blast/loads.csv:largest:chest", 2., "Pa"},
+    {"blast/loads.csv:smallest:chest", -1., "Pa"},
+    {"blast/loads.csv:last:back", 1., "Pa"},
+    {"blast/loads.csv:arrival:chest", 0.5, "s"},
+    {"blast/loads.csv:impulse:chest", 1.5, "Pa s"}};
+  for (const auto &[address, value, unit] : expected)
+  {
+    EXPECT_DOUBLE_EQ(outputs.at(address).value, value) << address;
+    EXPECT_EQ(outputs.at(address).unit, unit) << address;
+  }
+}
+
+TEST_F(SceneFolder, KnowsWhatWasNotComputed)
+{
+  const RunOutputs outputs(folder_.path());
+  for (const char *address : {"blast/assumptions.air.measured",
+                              "blast/gauges.csv:velocity left ear:value",
+                              "blast/loads.csv:peak:back",
+                              "blast/loads.csv:impulse:back"})
+    EXPECT_TRUE(std::isnan(outputs.at(address).value)) << address;
+}
+
+TEST_F(SceneFolder, SaysTheNearestOutput)
+{
+  const RunOutputs outputs(folder_.path());
+  const std::string text = refusal([&]() { outputs.at("blast/resluts.peak"); });
+  EXPECT_NE(text.find("did you mean \"blast/results.peak\"?"),
+            std::string::npos)
+    << text;
+}
+
+TEST_F(SceneFolder, LeavesDamagedFilesOut)
+{
+  write("blast/ragged.csv", "a,b\n1\n");
+  write("blast/empty.csv", "");
+  write("blast/broken.json", "{");
+  const RunOutputs outputs(folder_.path());
+  for (const std::string &address : outputs.names())
+    for (const char *file : {"ragged", "empty", "broken"})
+      EXPECT_EQ(address.find(file), std::string::npos) << address;
+}
+
+TEST_F(SceneFolder, HasTheSumsOfItsStages)
+{
+  const RunRecord record = read_record(folder_.path());
+  EXPECT_EQ(record.status, "finished");
+  EXPECT_EQ(record.steps, 30.);
+  EXPECT_EQ(record.retries, 2.);
+  EXPECT_EQ(record.wall_seconds, 7.);
+  EXPECT_EQ(record.core_seconds, 12.);
+  EXPECT_EQ(record.memory, 100.);
+  EXPECT_TRUE(std::isnan(record.cells));
+  EXPECT_TRUE(read_record(folder_.path() + "/none").status.empty());
+}
+
+TEST_F(SceneFolder, FillsColumns)
+{
+  const RunOutputs outputs(folder_.path());
+  const auto columns = find_columns(
+    parse_columns("blast/results.peak as peak; blast/loads.csv:arrival:*; "
+                  "blast/results.none if any"),
+    {&outputs},
+    false);
+  std::vector<std::string> titles;
+  for (const Column &column : columns)
+    titles.push_back(title_with_unit(column));
+  EXPECT_EQ(titles,
+            (std::vector<std::string>{
+              "peak [Pa]", "arrival chest [s]", "arrival back [s]", "none"}));
+}
+
+TEST_F(SceneFolder, RefusesColumnsThatNoRunHas)
+{
+  const RunOutputs outputs(folder_.path());
+  const auto find = [&](const std::string &text, const bool is_complete) {
+    return refusal(
+      [&]() { find_columns(parse_columns(text), {&outputs}, is_complete); });
+  };
+  EXPECT_NE(
+    find("blast/results.peek", false).find("did you mean \"blast/results.peak"),
+    std::string::npos);
+  EXPECT_NE(find("blast/resluts.*", false), "");
+  EXPECT_EQ(find("blast/results.peek if any", false), "");
+  EXPECT_NE(find("blast/results.peek if any", true), "");
+}
+
+TEST(Columns, RefusesWhatIsNoAddress)
+{
+  for (const char *text : {"blast/",
+                           "gauges.csv:peak",
+                           "gauges.txt:a:b",
+                           "results.*  as several",
+                           "results.a; results.a"})
+    EXPECT_NE(refusal([&]() { parse_columns(text); }), "") << text;
+}
+
+TEST(VariantForecast, KnowsWhichOutputsArePossible)
+{
+  const std::vector<std::string> outputs = {
+    "steps", "results.*", "gauges.csv:*", "blast/results.*"};
+  for (const char *address :
+       {"steps", "results.a", "gauges.csv:a:b", "blast/*", "*.a"})
+    EXPECT_TRUE(can_have(outputs, address)) << address;
+  for (const char *address :
+       {"stepps", "resluts.a", "gauge.csv:a:b", "body/results.a", "check*"})
+    EXPECT_FALSE(can_have(outputs, address)) << address;
+  EXPECT_EQ(suggest_output(outputs, "resluts.hic"),
+            "; did you mean \"results.hic\"?");
+  EXPECT_EQ(suggest_output(outputs, "gauge.csv:ear:peak"),
+            "; did you mean \"gauges.csv:ear:peak\"?");
+}
+
+TEST(VariantForecast, AddsTheCostsOfRunsAtOnce)
+{
+  std::vector<VariantForecast> forecasts(3);
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    CostEstimate &cost = forecasts[i].report.cost;
+    cost.steps = 10.;
+    cost.memory = 100. * static_cast<double>(i);
+    cost.seconds = 2.;
+    cost.output = 5.;
+  }
+  const CostEstimate sum = sum_of(forecasts, 2);
+  EXPECT_EQ(sum.steps, 30.);
+  EXPECT_EQ(sum.memory, 200.);
+  EXPECT_EQ(sum.seconds, 4.);
+  EXPECT_EQ(sum.output, 15.);
+}
