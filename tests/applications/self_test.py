@@ -370,6 +370,7 @@ class SceneTest(SelfTest):
         self.rejects("report", *options, flaw="silent")
         self.rejects("body masses are", *options, flaw="heavy")
         self.rejects("height and mass of the charge", *options, flaw="low")
+        self.rejects("false gave 1", *options, flaw="unrepeatable")
         self.rejects("what was taken for granted", *options, flaw="foreign")
 
     def test_ranks(self):

@@ -442,7 +442,9 @@ def run_clang_tidy(root, files, folders):
     run = subprocess.run(
         [clang_tool("clang-tidy"), "--quiet", "--config-file="
          + os.path.join(os.path.abspath(root), ".clang-tidy"), *files, "--",
-         "-std=c++17", "-Iinclude", *(
+         "-std=c++17", "-Iinclude",
+         # Paths that the build defines.
+         '-DCONTRECOUP_SOURCE_PLOT=""', '-DCONTRECOUP_INSTALLED_PLOT=""', *(
              f"-isystem{path}" for path in folders
              # Else the compiler's own headers do not find those of C.
              if os.path.realpath(path) != "/usr/include")],

@@ -194,7 +194,7 @@ def summarise(status, step, value, first):
                    "time": step * float(entries["Step size"]),
                    "steps": step, "retries": 0, "ranks": 1, "unknowns": 10,
                    "wall_seconds": 1., "checks": {}, "assumptions": {},
-                   "timers": {}, "errors": {"x": abs(value - exact)},
+                   "timers": {}, "warnings": [], "errors": {"x": abs(value - exact)},
                    "resumed_from_step":
                        first if "--resume" in sys.argv else None,
                    "performance": {

@@ -167,7 +167,9 @@ def main():
     write(json.dumps({"stages": list(statuses.values()), "charge_mass": 3.,
                       "charge_place": [1., 0., 2.],
                       "plan": rows_of(OWN_NAMES), "audit": rows_of(OWN_NAMES),
-                      "height": 1. if flaw == "low" else 2.}), "scene.json")
+                      "height": 1. if flaw == "low" else 2.,
+                      "command": "false" if flaw == "unrepeatable"
+                      else "echo finished before"}), "scene.json")
     if flaw != "silent":
         write("<html></html>", "report.html")
 
