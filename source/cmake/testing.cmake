@@ -218,7 +218,7 @@ endfunction()
 #                 tests/applications/cases/main_job_cases.py tell
 #   study_*, scene_*, folder_*  the first lines in study_cases.py, scene_cases.py
 #                 and folder_cases.py of tests/applications/cases tell
-# No value may contain a semicolon.
+# No value may contain a semicolon; in SET, @SEMICOLON@ stands for one.
 function(contrecoup_add_application_test name kind)
   cmake_parse_arguments(ARG ""
     "FILE;OTHER_FILE;MPI;CORES;TIMEOUT;MESSAGE;OUTPUT;CONTENT;VARY;\

@@ -7,6 +7,7 @@
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/study/factor.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
@@ -194,6 +195,13 @@ double Factor::number(const std::size_t row) const
   return std::isnan(of_label) ? of_value : of_label;
 }
 
+bool Factor::always_sets(const std::size_t entry) const
+{
+  return std::all_of(values.begin(), values.end(), [&](const auto &row) {
+    return entry < row.size() && !row[entry].empty();
+  });
+}
+
 std::vector<Factor> parse_factors(ParameterHandler &prm)
 {
   std::vector<Factor> factors;
@@ -204,8 +212,10 @@ std::vector<Factor> parse_factors(ParameterHandler &prm)
     const Section section(prm, "Vary " + name);
     factors.emplace_back();
     factors.back().parse_parameters(prm, name);
-    for (const std::string &entry : factors.back().entries)
-      if (!varied_by.emplace(entry, name).second)
+    for (std::size_t i = 0; i < factors.back().entries.size(); ++i)
+      if (const std::string &entry = factors.back().entries[i];
+          !varied_by.emplace(entry, name).second &&
+          factors.back().always_sets(i))
         throw InputError("\"Vary " + varied_by[entry] + "\" and \"Vary " +
                          name + "\" both vary \"" + entry + "\"");
     if (factors.back().refinement != Refinement::none)

@@ -82,7 +82,7 @@ set(_two_cubes "Body/Kind=mesh" "Body/Mesh/Unit=mm"
   "Body/Mesh/File=${CMAKE_CURRENT_SOURCE_DIR}/meshes/two_cubes.msh")
 contrecoup_add_application_test(own_mesh bounds
   FILE anatomy/quickstart.prm
-  SET ${_two_cubes} "Body/Mesh/Tissues=inside: brain; 2: skull = skeleton"
+  SET ${_two_cubes} "Body/Mesh/Tissues=inside: brain@SEMICOLON@ 2: skull = skeleton"
     "Output/Pictures=false"
   BOUNDS "cells == 2" "facets == 10" "parts == 2" "connected_components == 1"
     "volume > 1.999999e-6" "volume < 2.000001e-6")

@@ -49,7 +49,7 @@ study_refuses(unknown_error "Error/Kind = none makes tables"
 study_refuses(missing_reference "\"no_such\" holds no finished run"
   SET "Error/Kind=reference run" "Error/Reference folder=no_such")
 study_refuses(repeated_value "Values: \"20\" is there twice"
-  SET "Vary leaves/Values=10; 20; 20")
+  SET "Vary leaves/Values=10@SEMICOLON@ 20@SEMICOLON@ 20")
 study_refuses(ragged_table "parts between"
   SET "Vary scheme/Values=finite volume | 1")
 study_refuses(unwritable_output "output folder" OUTPUT "@FOLDER@/a_file/run")

@@ -73,7 +73,7 @@ void read_results(const std::string &path)
   scene.accuracy = coupling::SceneParameters::accuracies.front();
   scene.question = "injury";
   scene.symmetry = "auto";
-  scene.explosive = "tnt";
+  scene.explosive = find_explosive("tnt");
   scene.tissues = "physiological";
   scene.mass = 1.;
   scene.end_time = 0.01;

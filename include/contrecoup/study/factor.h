@@ -59,10 +59,14 @@ struct Factor
   /// Numerical value of a row: of its label, or else of the beginning of its
   /// first text; NaN if neither is a number.
   double number(std::size_t row) const;
+
+  /// Whether each of the values sets entry number @p entry.
+  bool always_sets(std::size_t entry) const;
 };
 
 /// All factors of a study in the order of the file.
-/// @throws InputError if there is none, or if two have the same entry
+/// @throws InputError if there is none, or if one overrides all values that an
+/// earlier one gives the same entry
 std::vector<Factor> parse_factors(dealii::ParameterHandler &prm);
 
 /// Parses settings of the form "Section/Entry=value; ...".

@@ -4,6 +4,7 @@
 #include <contrecoup/ale/mesh/symmetry_planes.h>
 #include <contrecoup/base/parameters/parameters.h>
 #include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/readable_file.h>
 #include <contrecoup/base/system/text.h>
 
 #include <algorithm>
@@ -44,8 +45,8 @@ SymmetryPlanes read_symmetry_planes(ParameterHandler &prm)
   {
     const auto found = std::find(axes.begin(), axes.end(), name);
     if (found == axes.end())
-      throw InputError("Mesh/Symmetry planes: \"" + name +
-                       "\" is none of x, y, z");
+      throw InputError("Mesh/Symmetry planes: " + quotation(name) +
+                       " is none of x, y, z");
     planes[found - axes.begin()] = true;
   }
   const unsigned int axis = read_wedge_axis(prm);

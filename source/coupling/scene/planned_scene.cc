@@ -96,10 +96,13 @@ void PlannedScene::print(const bool with_plan) const
   if (person_->axes())
   {
     const double azimuth = std::round(person_->charge_azimuth());
-    log_line("  the charge is before the person's " +
-             person_->side_to_charge() + ", " + brief(std::abs(azimuth)) +
-             " degrees to the " + (azimuth < 0. ? "right" : "left") +
-             " of where the person faces");
+    log_line("  the charge is " +
+             (azimuth == 0.
+                ? "straight ahead of the person"
+                : "before the person's " + person_->side_to_charge() + ", " +
+                    brief(std::abs(azimuth)) + " degrees to the " +
+                    (azimuth < 0. ? "right" : "left") +
+                    " of where the person faces"));
   }
   const std::string equivalence = equivalence_in_words(parameters_.explosive);
   show_line(layout_->is_far(parameters_)

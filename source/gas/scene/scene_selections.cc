@@ -131,8 +131,7 @@ namespace
       const Section limit(prm, "Limit " + name);
       const double from = read_double(prm, "From time");
       if (from >= end_time)
-        log_line("WARNING: Adaptation/Limit " + name +
-                 "/From time = " + brief(from) +
+        log_line("Adaptation/Limit " + name + "/From time = " + brief(from) +
                  " s is not before Time/End time = " + brief(end_time) +
                  " s: the limit never holds");
       Region region;

@@ -48,7 +48,10 @@ class Case:
             command = [self.options.mpiexec, "-np", str(ranks)]
         command += [program or self.options.application,
                     file or self.options.file]
-        words, overrides = list(extra), list(self.options.set)
+        words = list(extra)
+        # CMake takes a semicolon for the end of an argument.
+        overrides = [text.replace("@SEMICOLON@", ";")
+                     for text in self.options.set]
         while "--set" in words:
             at = words.index("--set")
             overrides.append(words[at + 1])
