@@ -7,7 +7,7 @@ import math
 import re
 
 PREFIXES = {"G": 1e9, "M": 1e6, "k": 1e3, "": 1., "m": 1e-3, "µ": 1e-6,
-            "n": 1e-9}
+            "n": 1e-9, "Gi": 2.**30, "Mi": 2.**20, "Ki": 2.**10}
 UNITS = ("Pa s", "Pa", "m/s", "m", "kg", "s", "J", "N s", "N", "W", "B")
 POWERS = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
 SUPERSCRIPTS = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
