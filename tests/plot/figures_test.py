@@ -82,7 +82,7 @@ class FiguresTest(unittest.TestCase):
 
     def test_rejects_the_answer(self):
         self.rejects_each('<p(?: class="verdict")?>([^<]*)</p>', 6, "<nav>")
-        self.rejects_each("<li>([^<]*)</li>", 11, "<nav>")
+        self.rejects_each("<li>([^<]*)</li>", 9, "<nav>")
 
     def test_rejects_events(self):
         self.rejects_each('data-label="values">(peak [^<]*)</td>', 8)

@@ -21,8 +21,7 @@ class Plane:
         self.axes = image.axes
         self.lower = image.lower
         self.upper = image.upper
-        if self.values.dtype.kind != "f" \
-                or not np.isfinite(self.values).any():
+        if self.values.dtype.kind != "f":
             raise ValueError("no grid of numbers")
 
     def extent(self):
@@ -45,7 +44,8 @@ class Plane:
 def open_planes(folder):
     """All planes of a run, by the names of their files and quantities, such as
     "plane_y_0_pressure", without the number of the output, each list by time.
-    Planes without a number, which sum up a whole run, stand alone."""
+    Planes without a number, which sum up a whole run, stand alone; those of
+    which no value is known are left out."""
     found = {}
     for path in glob.glob(os.path.join(folder, "**", "*plane_*.vti"),
                           recursive=True):
@@ -53,8 +53,9 @@ def open_planes(folder):
         image = vtk_file.Image(path)
         try:
             for quantity in image.fields:
-                found.setdefault(f"{stem}_{quantity}", []).append(
-                    Plane(image, quantity))
+                plane = Plane(image, quantity)
+                if np.isfinite(plane.values).any():
+                    found.setdefault(f"{stem}_{quantity}", []).append(plane)
         except ValueError as problem:
             raise ValueError(f"{path}: {problem}") from problem
     for planes in found.values():
