@@ -317,8 +317,7 @@ TEST(RecordedLoads, IntervalsShorterThanSamplesChangeNothing)
 }
 
 
-// The record ends at 4 ms with 200 Pa left on the first facet if its last
-// sample has them.
+// The last sample leaves 20 Pa on the second facet.
 TEST(RecordedLoads, WarnsOfARecordThatEndsEarly)
 {
   const std::string file = "recorded_early.h5";
@@ -339,7 +338,7 @@ TEST(RecordedLoads, WarnsOfARecordThatEndsEarly)
   EXPECT_NE(warning.find("the record ends at 0.002 s, the run at 0.1 s"),
             std::string::npos)
     << warning;
-  EXPECT_NE(warning.find("-200 Pa are left at (0, 0, 0) m"), std::string::npos)
+  EXPECT_NE(warning.find("20 Pa are left at (1, 0, 0) m"), std::string::npos)
     << warning;
   std::filesystem::remove(file);
 }

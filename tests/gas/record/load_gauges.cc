@@ -122,8 +122,8 @@ std::string refusal(const std::string &gauges)
 
 TEST(LoadGauges, AreMeansOverPatchesOfOneSide)
 {
-  LoadGauges gauges =
-    make_gauges({"Loads/Gauges=wide: 0.1, 0.2, 0.3", "Loads/Gauge radius=0.1"});
+  LoadGauges gauges = make_gauges(
+    {"Loads/Gauges=wide: 0.1, 0.2, 0.0005", "Loads/Gauge radius=0.1"});
   gauges.reinit(plate(), all_facets());
   // The patch is symmetric about the place.
   EXPECT_NEAR(gauges.partial_sums(overpressure)[0], 1.2, 1e-12);
@@ -159,7 +159,8 @@ TEST(LoadGauges, RanksShareTheFacets)
 
 TEST(LoadGauges, TellWhatTheBlastDidAndGoOnFromACheckpoint)
 {
-  const std::vector<std::string> lines = {"Loads/Gauges=back of hand: 0, 0, 1"};
+  const std::vector<std::string> lines = {
+    "Loads/Gauges=back of hand: 0, 0, 0.0005"};
   LoadGauges straight = make_gauges(lines), stopped = make_gauges(lines);
   // Overpressure that jumps to 100 Pa at 2 s and falls to 0 at 7 s.
   const auto add = [](LoadGauges &gauges, const int begin, const int end) {
@@ -186,7 +187,8 @@ TEST(LoadGauges, TellWhatTheBlastDidAndGoOnFromACheckpoint)
   EXPECT_NEAR(values.at("loads_back_of_hand_impulse"), 250., 2.);
   for (const NamedValue &value : resumed.measures(10.))
     EXPECT_EQ(value.value, values.at(value.name)) << value.name;
-  LoadGauges other = make_gauges({"Loads/Gauges=a: 0, 0, 1; b: 0.1, 0, 1"});
+  LoadGauges other =
+    make_gauges({"Loads/Gauges=a: 0, 0, 0.0005; b: 0.1, 0, 0.0005"});
   stream.clear();
   stream.seekg(0);
   EXPECT_THROW(other.load(stream), InputError);
@@ -198,7 +200,7 @@ TEST(LoadGauges, TellWhatTheBlastDidAndGoOnFromACheckpoint)
 TEST(LoadGauges, WriteWhatTheLoadsWouldDoToAPerson)
 {
   const std::vector<std::string> lines = {
-    "Loads/Gauges=chest: 0, 0, 1; left ear: 0.1, 0, 1; calf: 0.2, 0, 1",
+    "Loads/Gauges=chest: 0, 0, 0.0005; left ear: 0.1, 0, 0.0005; calf: 0.2, 0, 0.0005",
     "Loads/Body mass=70"};
   const auto follow = [](LoadGauges &gauges, const int begin, const int end) {
     const double step = 5e-6;
@@ -420,7 +422,8 @@ TEST(LoadGauges, TextThatNamesNoPlaceIsRefused)
     EXPECT_NE(refusal(gauges).find("must be a name, a colon and 3"),
               std::string::npos)
       << gauges << ": " << refusal(gauges);
-  EXPECT_NE(refusal("a: 0, 0, 1; a: 0.1, 0, 1").find("two gauges \"a\""),
-            std::string::npos);
-  EXPECT_EQ(refusal("a: 0, 0, 1; "), "");
+  EXPECT_NE(
+    refusal("a: 0, 0, 0.0005; a: 0.1, 0, 0.0005").find("two gauges \"a\""),
+    std::string::npos);
+  EXPECT_EQ(refusal("a: 0, 0, 0.0005; "), "");
 }
