@@ -207,7 +207,7 @@ void RunOutputs::add_table(const std::string &file, const std::string &begin)
     const io::HistoryTable table = io::read_history(file);
     const std::vector<double> &times = table.column("time", file);
     for (std::size_t i = 0; i < table.names.size(); ++i)
-      if (!times.empty())
+      if (!times.empty() && table.names[i] != "time")
         for (const auto &[feature, value] : features({times, table.columns[i]}))
           add(begin + feature + ":" + head.names[i],
               value,

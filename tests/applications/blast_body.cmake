@@ -143,7 +143,7 @@ contrecoup_add_application_test(body_wedge_mach wedge
 
 contrecoup_add_application_test(body_gauges bounds FILE ${_cylinder}
   SET "Output/Fields=false" "Domain/Initial refinement=2" "Loads/Record=true"
-    "Loads/Gauges=stagnation point: -0.7, 0" "Loads/Gauge radius=0.05"
+    "Loads/Gauges=stagnation point: -0.5, 0" "Loads/Gauge radius=0.05"
   BOUNDS "results.loads_stagnation_point_peak > 3.84"
     "results.loads_stagnation_point_peak < 3.92"
     "results.loads_stagnation_point_arrival > 0.1955"
