@@ -322,7 +322,7 @@ TEST_F(FileMeshes, AreRefusedWhereTheyCannotBeUsed)
   write("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0 0 0\n2 1 0 0\n"
         "3 0 1 0\n4 0 0 1\n$EndNodes\n$Elements\n1\n1 4 2 4 1 1 2 3 4\n"
         "$EndElements\n");
-  expect_part("no hexahedra", refusal());
+  expect_part("cells must be 8-node hexahedra", refusal());
   set({"Mesh"}, "File", "/nowhere/head.msh");
   expect_part("there is no such file", refusal());
   set({"Mesh"}, "File", "");

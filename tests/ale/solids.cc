@@ -221,15 +221,3 @@ TEST(Contact, SlowsABlockByFriction)
               1e-6 * contact.sliding_work);
   EXPECT_NEAR(block.energy(), before, 1e-12 * before);
 }
-
-TEST(Contact, RefusesAPlaneThatCutsTheMesh)
-{
-  SolidBar::Options options{elastic_region(), {0}, {}, {}};
-  options.planes = {
-    {"wall", dealii::Point<3>(0.25, 0., 0.), Vector({1., 0., 0.}), 0.}};
-  EXPECT_THROW(SolidBar({4, 1, 1},
-                        1.,
-                        options,
-                        [](const dealii::Point<3> &) { return Vector(); }),
-               InputError);
-}
