@@ -34,7 +34,10 @@ void read_mesh(const std::string &path)
   const auto assign = [](const std::string &entry, const std::string &value) {
     return Assignment{{"Mesh"}, entry, value, "fuzz"};
   };
-  apply_assignments({assign("Kind", "file"), assign("File", path)}, prm);
+  apply_assignments({assign("Kind", "file"),
+                     assign("File", path),
+                     assign("Tissues", "3: skeleton")},
+                    prm);
   solid::MeshDescription mesh;
   mesh.parse_parameters(prm);
   solid::distribute(mesh.create(), MPI_COMM_SELF);
