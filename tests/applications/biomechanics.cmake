@@ -211,10 +211,15 @@ contrecoup_add_application_test(no_support refusal
   ARGUMENTS "--set" "Supports/Support top/Directions=up"
   MESSAGE "must be some of x, y, z")
 # One line says that nothing moves, before the run if that is known.
-contrecoup_add_application_test(no_load bounds FILE ${_folder}/plane_wave.prm
-  SET "Output/Fields=false" "Loads/Load end/Where=0"
+contrecoup_add_application_test(no_load bounds
+  FILE ${_folder}/turning_cube.prm
+  SET "Initial state/Velocity x=0" "Initial state/Velocity y=0"
+    "Time/End time=1e-5"
   BOUNDS "status == finished" "checks.loaded_facets < 1"
   MESSAGE "WARNING: nothing moves the body, all results will be zero")
+contrecoup_add_application_test(load_on_nothing refusal
+  FILE ${_folder}/plane_wave.prm SET "Loads/Load end/Where=0"
+  MESSAGE "Loads/Load end/Where")
 contrecoup_add_application_test(late_load bounds FILE ${_folder}/plane_wave.prm
   SET "Output/Fields=false" "Loads/Load end/Pressure=if(t < 1, 0, 1e6)"
   BOUNDS "status == finished" "checks.loaded_facets > 0"

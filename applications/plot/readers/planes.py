@@ -23,6 +23,8 @@ class Plane:
         self.upper = image.upper
         if self.values.dtype.kind != "f":
             raise ValueError("no grid of numbers")
+        if np.isinf(self.values).any():
+            raise ValueError(f"{quantity} is infinite")
 
     def extent(self):
         """Left, right, bottom, top for imshow, whose pixels are centred on

@@ -11,12 +11,16 @@ using namespace contrecoup;
 
 namespace
 {
-const TntEquivalence equivalence{1.37, 1.19, true, ""};
-const IncidentWave wave(equivalence, 2., 18e6);
+// Not a global object: the tables that it reads are one of another source.
+IncidentWave two_kilograms()
+{
+  return IncidentWave(TntEquivalence{1.37, 1.19, true, ""}, 2., 18e6);
+}
 } // namespace
 
 TEST(IncidentWave, IsThatOfTheTablesWithBothEquivalences)
 {
+  const IncidentWave wave = two_kilograms();
   const KingeryBulmash pressures("spherical", 2. * 1.37);
   const KingeryBulmash impulses("spherical", 2. * 1.19);
   for (const auto &[quantity, tables] :
@@ -37,6 +41,7 @@ TEST(IncidentWave, IsThatOfTheTablesWithBothEquivalences)
 // The tables end at 40 m per cube root of the mass in kg.
 TEST(IncidentWave, IsThatOfThePointSourceBeyondTheTables)
 {
+  const IncidentWave wave = two_kilograms();
   const ExpectedBlast source(18e6, 101325., 1.225);
   const double far = 100.;
   EXPECT_FALSE(wave.is_tabulated(BlastQuantity::overpressure, far));
