@@ -32,6 +32,7 @@ REST = "blast/extremes/rest_100000_steps.prm"
 # Where what is needed for a case lies, made by make_files().
 MISSING = "no_such_file"
 A_FOLDER = "a_folder"
+DUMP = "dump.prm"
 SHORT = "short"
 OTHER = "other.prm"
 
@@ -393,6 +394,27 @@ def judge_full_output(program):
         f"exit code {end.returncode}: {end.stderr}"
 
 
+def judge_dump(program):
+    """What is wrong with the check of a file that holds all entries as
+    --print-parameters prints them: it says what that of an empty file says."""
+    def words(content):
+        with open(os.path.join(FOLDER, DUMP), "wb") as file:
+            file.write(content)
+        end = run(program, [DUMP])
+        said = "\n".join(line for line in (end.stdout + end.stderr).splitlines()
+                         if "sets no entry" not in line)
+        # Times are measured.
+        return end.returncode, re.sub(r"[0-9.e+-]+ (s|ms|min)\b *", "", said)
+
+    printed = subprocess.run([program, "--print-parameters"], check=True,
+                             capture_output=True, timeout=300).stdout
+    try:
+        dumped, empty = words(printed), words(b"")
+    finally:
+        os.remove(os.path.join(FOLDER, DUMP))
+    return "" if dumped == empty else f"{dumped} instead of {empty}"
+
+
 def main(programs, repository):
     make_files()
     before = sorted(os.listdir(FOLDER))
@@ -436,10 +458,10 @@ def main(programs, repository):
             end, f'cannot read the parameter file "{name}": {reason}'))
     for application in ("blast", "anatomy", "biomechanics", "head_impact",
                         "scene", "study"):
-        verdict = judge_full_output(os.path.join(programs, application))
-        count += 1
-        if verdict:
-            problems.append(f"{application} > /dev/full: {verdict}")
+        program = os.path.join(programs, application)
+        for case, verdict in (("> /dev/full", judge_full_output(program)),
+                              ("with all entries", judge_dump(program))):
+            judge(f"{application} {case}", None, verdict)
     print("\n".join(problems) or f"all {count} cases are as wanted")
     return 1 if problems else 0
 

@@ -4,13 +4,54 @@
 #include <contrecoup/base/system/log.h>
 #include <contrecoup/coupling/scene/planned_scene.h>
 #include <contrecoup/coupling/scene/scene_application.h>
+#include <contrecoup/coupling/scene/scene_parameters.h>
 #include <contrecoup/coupling/scene/scene_run.h>
 #include <contrecoup/io/run/command_line.h>
+
+#include <algorithm>
+#include <sstream>
 
 namespace contrecoup::coupling
 {
 namespace
 {
+  /// A text of --print-parameters whose entries of stages are comments where
+  /// they stand at their default: as a file it would replace the choices of
+  /// the scene by the defaults of the stages.
+  std::string comment_stage_defaults(const std::string &text)
+  {
+    std::istringstream lines(text);
+    std::string result;
+    unsigned int depth = 0;
+    bool is_of_stage = false, differs = false;
+    for (std::string line; std::getline(lines, line);)
+    {
+      const std::size_t start =
+        std::min(line.find_first_not_of(' '), line.size());
+      const std::string words = line.substr(start);
+      if (words.compare(0, 11, "subsection ") == 0)
+      {
+        if (depth++ == 0)
+          is_of_stage = SceneParameters::is_stage(words.substr(11));
+        if (depth == 1 && is_of_stage)
+          result += "# The scene chooses what is not written here.\n";
+      }
+      else if (words == "end")
+        --depth;
+      else if (words.compare(0, 1, "#") == 0)
+        differs = differs || words.find("Default: ") != std::string::npos;
+      else if (words.compare(0, 4, "set ") == 0)
+      {
+        if (depth > 0 && is_of_stage && !differs)
+          line.insert(start, "# ");
+        differs = false;
+      }
+      result += line + "\n";
+    }
+    return result;
+  }
+
+
   void print_estimate(const io::CommandLine &command,
                       dealii::ParameterHandler &prm,
                       Collective &collective)
@@ -49,6 +90,8 @@ namespace
           "stages that are kept, and reports on it.",
           "Runs on several cores with mpirun -np N scene FILE.prm ...",
           SceneParameters::declare_parameters);
+        if (command.print_parameters)
+          text = comment_stage_defaults(text);
         if (!text.empty())
           return;
         SceneParameters::declare_parameters(prm);

@@ -260,12 +260,16 @@ void SceneParameters::declare_parameters(ParameterHandler &prm)
 }
 
 
-bool SceneParameters::is_of_stage(const Assignment &assignment)
+bool SceneParameters::is_stage(const std::string &section)
 {
-  const std::string section =
-    assignment.sections.empty() ? "" : assignment.sections[0];
   return section == "Anatomy" || section == "Blast" ||
          section == "Biomechanics";
+}
+
+
+bool SceneParameters::is_of_stage(const Assignment &assignment)
+{
+  return !assignment.sections.empty() && is_stage(assignment.sections[0]);
 }
 
 

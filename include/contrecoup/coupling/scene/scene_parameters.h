@@ -52,6 +52,9 @@ struct SceneParameters
   /// The same without those of applications.
   static void declare_own(dealii::ParameterHandler &prm);
 
+  /// Whether a section is one with the entries of an application.
+  static bool is_stage(const std::string &section);
+
   /// Whether an entry is one of an application.
   static bool is_of_stage(const Assignment &assignment);
 
