@@ -201,6 +201,10 @@ contrecoup_add_application_test(runs
 contrecoup_add_application_test(stiff_ground refusal
   FILE ${_folder}/bounce.prm ARGUMENTS "--set" "Ground/Stiffness=0.5"
   MESSAGE "makes steps unstable")
+contrecoup_add_application_test(begins_in_the_ground refusal
+  FILE ${_folder}/bounce.prm
+  ARGUMENTS "--set" "Mesh/Lower corner=0, 0, -0.002"
+  MESSAGE "Ground/Height = 0 m: the body is 2 mm")
 contrecoup_add_application_test(charge_far_away refusal
   FILE biomechanics/quickstart.prm
   ARGUMENTS "--set" "Loads/Load pulse/Kind=kingery bulmash"
