@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/base/system/coordinates.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/mpm/particle_motion.h>
@@ -87,8 +88,7 @@ void Particles::remove_leaving(const TileGrid &grid,
     for (unsigned int d = 0; d < 3; ++d)
       place[d] = particles[column::position + d][p];
     if (!grid.is_inside(grid.cell_at(place)))
-      throw NumericsError("a particle left the grid at (" + brief(place[0]) +
-                          ", " + brief(place[1]) + ", " + brief(place[2]) +
+      throw NumericsError("a particle left the grid at (" + coordinates(place) +
                           ") m; make the grid larger");
     const auto there = grid.tile_at(place);
     if (there == tile)

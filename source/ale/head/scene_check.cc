@@ -3,6 +3,7 @@
 
 #include <contrecoup/ale/head/scene_check.h>
 #include <contrecoup/base/parameters/selections.h>
+#include <contrecoup/base/system/coordinates.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/log.h>
 #include <contrecoup/base/system/text.h>
@@ -20,16 +21,6 @@ namespace
   /// Tolerance for the round-off of positions [m].
   constexpr double position_tolerance = 1e-9;
 
-  std::string text_of(const dealii::Point<3> &place)
-  {
-    return "(" + brief(place[0]) + ", " + brief(place[1]) + ", " +
-           brief(place[2]) + ") m";
-  }
-
-  std::string text_of(const dealii::Tensor<1, 3> &vector)
-  {
-    return brief(vector[0]) + ", " + brief(vector[1]) + ", " + brief(vector[2]);
-  }
 } // namespace
 
 
@@ -106,7 +97,7 @@ void SceneCheck::add_on_symmetry_plane(const unsigned int axis,
     throw InputError("Region " + regions_.regions()[region].name +
                      "/Velocity " + name + " is " + brief(velocity[axis]) +
                      " m/s across the plane of symmetry normal to " + name +
-                     ", at " + text_of(place) + remedy);
+                     ", at (" + coordinates(place) + ") m" + remedy);
   const Expression &force = acceleration_[axis];
   if (force.is_zero())
     return;
@@ -116,8 +107,8 @@ void SceneCheck::add_on_symmetry_plane(const unsigned int axis,
     if (const double value = force.value(place, time); std::abs(value) > small)
       throw InputError("Body force/" + name + " is " + brief(value) +
                        " m/s^2 across the plane of symmetry normal to " + name +
-                       ", at " + text_of(place) + " and " + brief(time) + " s" +
-                       remedy);
+                       ", at (" + coordinates(place) + ") m and " +
+                       brief(time) + " s" + remedy);
   }
 }
 
@@ -189,7 +180,7 @@ void SceneCheck::check_planes(const bool others) const
     {
       Selections selections;
       selections.add("Plane " + plane.name + "/Normal",
-                     text_of(plane.normal),
+                     coordinates(plane.normal),
                      "matter that could reach it",
                      0);
       selections.require_some(MPI_COMM_SELF, where);

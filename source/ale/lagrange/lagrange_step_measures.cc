@@ -3,6 +3,7 @@
 
 #include <contrecoup/ale/lagrange/lagrange_step.h>
 #include <contrecoup/ale/mesh/cell_corners.h>
+#include <contrecoup/base/system/coordinates.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/gather.h>
 #include <contrecoup/base/system/text.h>
@@ -131,10 +132,10 @@ void LagrangeStep::throw_step_failure(const AleState &state,
   {
     const auto x = corners_of(space_->cell(worst), state.position)[0];
     text = "cell " + std::to_string(space_->cell_number(worst)) + " of " +
-           forces_.region_name(worst) + " near (" + brief(x[0]) + ", " +
-           brief(x[1]) + ", " + brief(x[2]) + ") m would have a volume of " +
-           brief(least) + " m^3 and an energy of " +
-           brief(state.energy[worst]) + " J";
+           forces_.region_name(worst) + " near (" +
+           coordinates(dealii::Point<3>(x[0], x[1], x[2])) +
+           ") m would have a volume of " + brief(least) +
+           " m^3 and an energy of " + brief(state.energy[worst]) + " J";
   }
   text = text_of_owner(space_->communicator(), is_here, text);
   const std::string coupling = coupling_.failure_text();
@@ -170,8 +171,8 @@ void LagrangeStep::give_up_signals(const AleState &state,
     for (const auto &v : corners_of(space_->cell(worst), state.velocity))
       square = std::max(square, dot(v, v));
     text = "cell " + std::to_string(space_->cell_number(worst)) + " of " +
-           forces_.region_name(worst) + " near (" + brief(x[0]) + ", " +
-           brief(x[1]) + ", " + brief(x[2]) + ") m, of " +
+           forces_.region_name(worst) + " near (" +
+           coordinates(dealii::Point<3>(x[0], x[1], x[2])) + ") m, of " +
            brief(values.volume) + " m^3, " +
            brief(values.mass / values.volume) + " kg/m^3, " +
            brief(values.pressure) + " Pa, corners at up to " +

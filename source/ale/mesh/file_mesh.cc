@@ -4,6 +4,7 @@
 #include <contrecoup/ale/mesh/file_mesh.h>
 #include <contrecoup/base/parameters/parameters.h>
 #include <contrecoup/base/parameters/tissues.h>
+#include <contrecoup/base/system/coordinates.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/geometry/mesh/hex_quality.h>
@@ -25,12 +26,6 @@ namespace
 
   /// deal.II's vertex number of each corner of HexMesh.
   constexpr unsigned int vertex_of_corner[] = {0, 1, 3, 2, 4, 5, 7, 6};
-
-  std::string text_of(const Point<3> &place)
-  {
-    return "(" + brief(place[0]) + ", " + brief(place[1]) + ", " +
-           brief(place[2]) + ") m";
-  }
 
   constexpr unsigned int no_piece = -1;
 
@@ -170,8 +165,8 @@ void FileMesh::measure_cells(const Mesh &mesh, MeshStatistics &found) const
     if (quality < found.scaled_jacobian)
     {
       found.scaled_jacobian = quality;
-      worst = std::to_string(cell->active_cell_index()) + " at " +
-              text_of(cell->center());
+      worst = std::to_string(cell->active_cell_index()) + " at (" +
+              coordinates(cell->center()) + ") m";
     }
   }
   if (n_refused > 0)
@@ -188,7 +183,7 @@ void FileMesh::measure_cells(const Mesh &mesh, MeshStatistics &found) const
 void FileMesh::refuse_hanging_nodes(const Mesh &mesh) const
 {
   if (const auto place = find_hanging_vertex(mesh))
-    refuse("the node at " + text_of(*place) +
+    refuse("the node at (" + coordinates(*place) + ") m" +
            " hangs amid a larger cell, as after `anatomy` with "
            "Mesh/Coarsening levels above 0; cells must share whole faces");
 }
@@ -231,7 +226,8 @@ unsigned int FileMesh::refuse_joints(const Mesh &mesh) const
         return;
       const std::size_t n = n_cells[smaller];
       refuse((n == 1 ? "a cell touches" : std::to_string(n) + " cells touch") +
-             " the others at the node " + text_of(mesh.get_vertices()[node]) +
+             " the others at the node (" +
+             coordinates(mesh.get_vertices()[node]) + ") m" +
              " alone, about which they would swing; leave them out, or join "
              "them by faces");
     });

@@ -6,6 +6,7 @@
 #include <contrecoup/base/parameters/parameter_tree.h>
 #include <contrecoup/base/parameters/parameters.h>
 #include <contrecoup/base/parameters/selections.h>
+#include <contrecoup/base/system/coordinates.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/log.h>
 #include <contrecoup/base/system/text.h>
@@ -256,8 +257,7 @@ RegionDescriptions::check_state(const Description &description,
   const auto require = [&](const bool holds, const std::string &what) {
     if (!holds)
       throw InputError("Region " + description.region.name + "/" + what +
-                       " in the cell at (" + brief(centre[0]) + ", " +
-                       brief(centre[1]) + ", " + brief(centre[2]) + ") m");
+                       " in the cell at (" + coordinates(centre) + ") m");
   };
   require(density > 0.,
           "Density must be above 0, and is " + brief(density) + " kg/m^3");

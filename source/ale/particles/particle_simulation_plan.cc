@@ -4,6 +4,7 @@
 #include <contrecoup/ale/head/scene_check.h>
 #include <contrecoup/ale/particles/particle_simulation.h>
 #include <contrecoup/base/parameters/selections.h>
+#include <contrecoup/base/system/coordinates.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
 
@@ -60,8 +61,7 @@ void ParticleSimulation::check_scene()
   check.check_planes(regions_.has_pressure());
   for (const dealii::Point<3> &place : probe_places_)
     if (!scene_.is_near_matter(place))
-      throw InputError("Probes/Points: (" + brief(place[0]) + ", " +
-                       brief(place[1]) + ", " + brief(place[2]) +
+      throw InputError("Probes/Points: (" + coordinates(place) +
                        ") m is outside of the matter");
 }
 

@@ -4,6 +4,7 @@
 #include <contrecoup/ale/head/scene_check.h>
 #include <contrecoup/ale/run/ale_simulation.h>
 #include <contrecoup/base/parameters/selections.h>
+#include <contrecoup/base/system/coordinates.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/memory.h>
 #include <contrecoup/base/system/text.h>
@@ -97,8 +98,7 @@ void AleSimulation::check_scene(const dealii::Triangulation<3> &mesh)
   Selections surfaces, interfaces;
   for (const ContactPlane &plane : planes_.planes())
     surfaces.add("Plane " + plane.name + "/Point",
-                 brief(plane.point[0]) + ", " + brief(plane.point[1]) + ", " +
-                   brief(plane.point[2]),
+                 coordinates(plane.point),
                  "free surface",
                  n_free);
   surfaces.require_some(MPI_COMM_SELF, "all sides of the mesh are walls");
@@ -144,8 +144,7 @@ void AleSimulation::check_probes(const dealii::Triangulation<3> &mesh) const
         diagonal = cell->diameter();
       }
     if (least > 0.6 * diagonal)
-      throw InputError("Probes/Points: (" + brief(place[0]) + ", " +
-                       brief(place[1]) + ", " + brief(place[2]) +
+      throw InputError("Probes/Points: (" + coordinates(place) +
                        ") m is outside of the mesh; the centre of the nearest "
                        "cell is " +
                        brief(least) + " m away");

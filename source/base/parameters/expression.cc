@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/parameters/expression.h>
+#include <contrecoup/base/system/coordinates.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/readable_file.h>
 #include <contrecoup/base/system/silence.h>
@@ -43,8 +44,7 @@ double Expression::value(const dealii::Point<3> &point, const double time) const
   const double result = function_->value(point);
   if (!std::isfinite(result))
     throw InputError(entry_ + " = " + quotation(text_) + " is " +
-                     brief(result) + " at (" + brief(point[0]) + ", " +
-                     brief(point[1]) + ", " + brief(point[2]) + ") m and " +
+                     brief(result) + " at (" + coordinates(point) + ") m and " +
                      brief(time) + " s; a finite number is wanted");
   return result;
 }

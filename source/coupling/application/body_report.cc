@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/base/system/coordinates.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/coupling/application/body_report.h>
 #include <contrecoup/geometry/mesh/hex_components.h>
@@ -196,9 +197,7 @@ namespace coupling
     lines.push_back("extents " + brief(extent[0]) + " x " + brief(extent[1]) +
                     " x " + brief(extent[2]) + " m, surface " +
                     brief(report.surface_area) + " m^2, centre of gravity at " +
-                    brief(report.center_of_gravity[0], 3) + ", " +
-                    brief(report.center_of_gravity[1], 3) + ", " +
-                    brief(report.center_of_gravity[2], 4) + " m");
+                    coordinates(report.center_of_gravity) + " m");
     for (const OrganCheck &check : report.checks)
       lines.push_back(
         padded(check.reference.name, 12) + fixed(1e3 * check.volume, 8, 3) +

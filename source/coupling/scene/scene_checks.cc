@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/base/system/coordinates.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/coupling/scene/scene_checks.h>
@@ -16,12 +17,6 @@ using dealii::Point;
 namespace
 {
   constexpr double round_off = 1e-6; // [m]
-
-  std::string text_of(const Point<3> &point)
-  {
-    return brief(point[0]) + ", " + brief(point[1]) + ", " + brief(point[2]);
-  }
-
 
   /// A point of the text; nothing if it is none, which the stage refuses.
   std::optional<Point<3>> point_of(const std::string &text)
@@ -75,12 +70,12 @@ namespace
         const bool is_cut = d == 1 && layout.is_half;
         if ((lower[d] < domain.lower_bound(d) - round_off && !is_cut) ||
             upper[d] > domain.upper_bound(d) + round_off)
-          throw InputError("Blast/Domain: from " +
-                           text_of(domain.get_boundary_points().first) +
-                           " to " +
-                           text_of(domain.get_boundary_points().second) +
-                           " m it does not hold " + what + ", which is from " +
-                           text_of(lower) + " to " + text_of(upper) + " m");
+          throw InputError(
+            "Blast/Domain: from " +
+            coordinates(domain.get_boundary_points().first) + " to " +
+            coordinates(domain.get_boundary_points().second) +
+            " m it does not hold " + what + ", which is from " +
+            coordinates(lower) + " to " + coordinates(upper) + " m");
       }
     };
     const auto corners = layout.body.get_boundary_points();
@@ -103,11 +98,12 @@ namespace
     for (const Point<3> &probe : points_of(blast.values.at("Probes/Points")))
     {
       const std::string where =
-        "Blast/Probes/Points: " + text_of(probe) + " m ";
+        "Blast/Probes/Points: " + coordinates(probe) + " m ";
       if (!domain.point_inside(probe, round_off))
-        throw InputError(where + "is outside of the domain, from " +
-                         text_of(domain.get_boundary_points().first) + " to " +
-                         text_of(domain.get_boundary_points().second) + " m");
+        throw InputError(
+          where + "is outside of the domain, from " +
+          coordinates(domain.get_boundary_points().first) + " to " +
+          coordinates(domain.get_boundary_points().second) + " m");
       if (scene.body().surface()->value(probe) < 0.)
         throw InputError(where + "is in the body; Blast/Loads/Gauges are on "
                                  "its skin, Biomechanics/Probes/Points in it");
@@ -130,10 +126,10 @@ namespace
       if (std::abs(distance) > allowed)
         throw InputError(
           "Blast/Loads/Gauges: \"" + trim(gauge.substr(0, colon)) + "\" at " +
-          text_of(*place) + " m is " + brief(std::abs(distance), 3) +
+          coordinates(*place) + " m is " + brief(std::abs(distance), 3) +
           " m from the skin, " + "farther than its radius and two cells, " +
           brief(allowed, 3) + " m; the nearest skin is at " +
-          text_of(scene.body().surface()->project(*place)) + " m");
+          coordinates(scene.body().surface()->project(*place)) + " m");
     }
   }
 } // namespace
@@ -171,7 +167,7 @@ void check_biomechanics(const PlannedScene &scene,
   {
     const double outside = scene.body().surface()->distance(probe);
     if (outside > element)
-      throw InputError("Biomechanics/Probes/Points: " + text_of(probe) +
+      throw InputError("Biomechanics/Probes/Points: " + coordinates(probe) +
                        " m is " + brief(outside, 3) +
                        " m outside of the body, farther than an element, " +
                        brief(element) + " m");

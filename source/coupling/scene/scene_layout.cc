@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/base/system/coordinates.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/coupling/scene/scene_layout.h>
@@ -62,12 +63,6 @@ namespace
     for (const auto &[below, above] : leaves)
       product *= below + above;
     return product;
-  }
-
-
-  std::string text_of(const Point<3> &point)
-  {
-    return brief(point[0]) + ", " + brief(point[1]) + ", " + brief(point[2]);
   }
 } // namespace
 
@@ -140,7 +135,7 @@ void SceneLayout::place_charge(const SceneParameters &scene,
   if (!scene.place)
     distance = std::min(distance, scene.distance);
   if (distance <= 0.)
-    throw InputError("Charge: its centre " + text_of(charge) +
+    throw InputError("Charge: its centre " + coordinates(charge) +
                      " m is in the body");
 }
 

@@ -3,6 +3,7 @@
 
 #include <contrecoup/base/parameters/bounds.h>
 #include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/system/coordinates.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/gas/record/gauge_tables.h>
@@ -27,12 +28,6 @@ namespace
   constexpr const char *histories = "/load_gauges.csv";
 
   /// A point in the syntax of parameter entries.
-  std::string to_text(const Point<3> &point)
-  {
-    return brief(point[0]) + ", " + brief(point[1]) + ", " + brief(point[2]);
-  }
-
-
   /// A gauge "name: x, y, z".
   template <int dim>
   Landmark read_place(const std::string &text)
@@ -136,10 +131,10 @@ void LoadGauges::parse_parameters(dealii::ParameterHandler &prm,
                        brief(away) + " m from the surface of the body, " +
                        "more than Gauge radius and two cells of " +
                        brief(cell) + " m; the nearest point of it is " +
-                       to_text(place));
+                       coordinates(place));
     if (!is_inside(place, lower, upper))
       throw InputError("Loads/Gauges: the surface point nearest to \"" +
-                       given.name + "\", " + to_text(place) +
+                       given.name + "\", " + coordinates(place) +
                        " m, is outside of the domain");
     add_place(given.name, place, body);
   }
@@ -364,7 +359,7 @@ std::vector<std::string> LoadGauges::table(const double time) const
     const BlastMeasures blast = records_[i].blast.measures(time);
     std::ostringstream line;
     line << std::left << std::setw(16) << places_[i].name << std::setw(26)
-         << to_text(places_[i].point) << std::right << std::setw(8)
+         << coordinates(places_[i].point) << std::right << std::setw(8)
          << (i < patch_sizes_.size() ? patch_sizes_[i] : 0) << std::setw(14)
          << brief(1e3 * blast.arrival) << std::setw(12)
          << brief(1e-3 * blast.peak) << std::setw(9)
@@ -380,7 +375,7 @@ std::string LoadGauges::description() const
 {
   std::vector<std::string> parts;
   for (const Place &place : places_)
-    parts.push_back(place.name + ": " + to_text(place.point));
+    parts.push_back(place.name + ": " + coordinates(place.point));
   return join(parts, "; ");
 }
 

@@ -3,6 +3,7 @@
 
 #include <contrecoup/base/parameters/parameter_tree.h>
 #include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/system/coordinates.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/gas/explosive/charge.h>
@@ -22,16 +23,6 @@ namespace
 {
   const std::vector<std::string> sides =
     {"x low", "x high", "y low", "y high", "z low", "z high"};
-
-  template <int dim>
-  std::string text_of(const dealii::Point<dim> &point)
-  {
-    std::vector<std::string> words;
-    for (unsigned int d = 0; d < dim; ++d)
-      words.push_back(brief(point[d]));
-    return join(words, ", ");
-  }
-
 
   unsigned int subcells_of(ParameterHandler &prm)
   {
@@ -149,11 +140,11 @@ namespace
     double fraction = fraction_within(one.charge, mesh);
     const auto [lower, upper] = one.charge.bounds();
     if (fraction == 0.)
-      throw InputError(one.where + ": the charge, from " + text_of(lower) +
-                       " to " + text_of(upper) +
+      throw InputError(one.where + ": the charge, from " + coordinates(lower) +
+                       " to " + coordinates(upper) +
                        " m, lies outside of the domain, from " +
-                       text_of(mesh.lower_corner()) + " to " +
-                       text_of(mesh.upper_corner()) + " m");
+                       coordinates(mesh.lower_corner()) + " to " +
+                       coordinates(mesh.upper_corner()) + " m");
     // Fraction of the charge that planes of symmetry through its centre leave.
     for (unsigned int side = 0; side < 2 * dim; ++side)
       if (!(side == 0 && mesh.geometry() != Geometry::plane) &&
@@ -225,7 +216,7 @@ namespace
     if (common.place)
       throw InputError(one.where +
                        ": the charge and the rigid body overlap around " +
-                       text_of(*common.place) +
+                       coordinates(*common.place) +
                        " m; change the charge's Center or Body/Shift");
     if constexpr (dim == 3)
       if (const auto gap = narrow_gap(one.charge, body, cell))
@@ -257,8 +248,9 @@ namespace
         middle;
     }
     throw InputError("Rigid body: it lies outside of the domain, from " +
-                     text_of(domain.lower) + " to " + text_of(domain.upper) +
-                     " m, at least " + brief(high, 2) +
+                     coordinates(domain.lower) + " to " +
+                     coordinates(domain.upper) + " m, at least " +
+                     brief(high, 2) +
                      " m away from it; change Body/Shift or the domain's "
                      "corners");
   }

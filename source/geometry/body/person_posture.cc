@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/base/system/coordinates.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/geometry/body/body.h>
@@ -300,7 +301,6 @@ std::string direction_name(const Tensor<1, 3> &direction)
   for (unsigned int d = 0; d < 3; ++d)
     if (std::abs(direction[d]) > std::cos(2. * degree))
       return std::string(direction[d] > 0. ? "+" : "-") + "xyz"[d];
-  return "(" + brief(direction[0], 2) + ", " + brief(direction[1], 2) + ", " +
-         brief(direction[2], 2) + ")";
+  return "(" + coordinates(direction, 2) + ")";
 }
 } // namespace contrecoup

@@ -3,6 +3,7 @@
 
 #include <contrecoup/base/parameters/parameters.h>
 #include <contrecoup/base/parameters/tissue_list.h>
+#include <contrecoup/base/system/coordinates.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/geometry/body/surface_body.h>
@@ -67,7 +68,7 @@ namespace
         (pairs.size() == most ? "at least " : "") +
         std::to_string(pairs.size()) +
         " pair(s) of triangles pass through each other, the first near " +
-        brief(place[0]) + ", " + brief(place[1]) + ", " + brief(place[2]) +
+        coordinates(place) +
         " m; what is around more than once counts as inside");
     }
   }

@@ -3,6 +3,7 @@
 
 #include <contrecoup/base/parameters/bounds.h>
 #include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/system/coordinates.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/log.h>
 #include <contrecoup/base/system/text.h>
@@ -251,8 +252,8 @@ std::string RecordedLoads::warning(const double end_time) const
   return "Loads/Recorded: the record ends at " + brief(end) +
          " s, the run at " + brief(end_time) +
          " s; the body bears no load in between, although " + brief(told[3]) +
-         " Pa are left at (" + brief(told[0], 3) + ", " + brief(told[1], 3) +
-         ", " + brief(told[2], 3) +
+         " Pa are left at (" +
+         coordinates(dealii::Point<3>(told[0], told[1], told[2]), 3) +
          ") m; record longer, or end the run with the record (Time/End time)";
 }
 

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/system/coordinates.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/io/file/binary_records.h>
@@ -131,12 +132,12 @@ void InjuryReport<Real>::refuse_far_chest() const
   if (chest_wall_.distance() <= allowed)
     return;
   const dealii::Point<3> &place = chest_.place();
-  throw InputError(
-    "Injury/Chest = " + brief(place[0]) + ", " + brief(place[1]) + ", " +
-    brief(place[2]) + " is " + brief(chest_wall_.distance(), 3) +
-    " m from the skin, more than Injury/Chest radius and two "
-    "elements, " +
-    brief(allowed, 3) + " m; set it to a point on the chest of this body");
+  throw InputError("Injury/Chest = " + coordinates(place) + " is " +
+                   brief(chest_wall_.distance(), 3) +
+                   " m from the skin, more than Injury/Chest radius and two "
+                   "elements, " +
+                   brief(allowed, 3) +
+                   " m; set it to a point on the chest of this body");
 }
 
 

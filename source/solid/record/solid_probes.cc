@@ -4,6 +4,7 @@
 #include <contrecoup/base/parameters/bounds.h>
 #include <contrecoup/base/parameters/parameter_tree.h>
 #include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/system/coordinates.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/solid/body/stress_invariants.h>
@@ -67,9 +68,9 @@ namespace
     if (distance <= largest_distance)
       return;
     throw InputError("Probes/Points: probe " + std::to_string(number) +
-                     " at (" + brief(point[0]) + ", " + brief(point[1]) + ", " +
-                     brief(point[2]) + ") m is outside of the body, by " +
-                     brief(distance, 2) + " edges of an element; " +
+                     " at (" + coordinates(point) +
+                     ") m is outside of the body, by " + brief(distance, 2) +
+                     " edges of an element; " +
                      extent_in_words(mesh, communicator));
   }
 
