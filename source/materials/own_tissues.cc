@@ -176,7 +176,7 @@ void OwnTissues::Entries::refuse_incomplete(const std::string &name) const
   if (!has("Density"))
     missing.emplace_back("Density");
   const bool has_elastic = has("Young's modulus") || has("Poisson's ratio");
-  for (const std::string entry :
+  for (const std::string &entry :
        has_elastic
          ? std::vector<std::string>{"Young's modulus", "Poisson's ratio"}
          : std::vector<std::string>{"Bulk modulus", "Shear modulus"})
@@ -294,21 +294,39 @@ SolidMaterial OwnTissues::apply(const Tissue tissue,
 }
 
 
-std::string OwnTissues::changes(const Tissue tissue,
-                                const SolidMaterial &library) const
+std::string OwnTissues::Change::in_words() const
+{
+  return entry + " = " + brief(value) + (unit == "-" ? "" : " " + unit);
+}
+
+
+std::vector<OwnTissues::Change>
+OwnTissues::changes(const Tissue tissue, const SolidMaterial &library) const
 {
   const Entries *const entries = find(tissue);
+  std::vector<Change> list;
   if (entries == nullptr)
-    return "";
-  std::vector<std::string> words;
+    return list;
   for (const Property &property : properties())
     if (entries->has(property.name))
-      words.push_back(
-        property.name + " = " + brief(entries->values.at(property.name)) +
-        (property.unit == "-" ? "" : " " + property.unit) +
-        (is_new(tissue)
-           ? ""
-           : " instead of " + brief(value_of(library, property.name))));
+    {
+      list.push_back(
+        {property.name, property.unit, entries->values.at(property.name), {}});
+      if (!is_new(tissue))
+        list.back().before = value_of(library, property.name);
+    }
+  return list;
+}
+
+
+std::string OwnTissues::changes_in_words(const Tissue tissue,
+                                         const SolidMaterial &library) const
+{
+  std::vector<std::string> words;
+  for (const Change &change : changes(tissue, library))
+    words.push_back(
+      change.in_words() +
+      (change.before ? " instead of " + brief(*change.before) : ""));
   return join(words, ", ");
 }
 

@@ -254,9 +254,31 @@ def refused_scenes():
             ("Biomechanics/Probes/Points", "1, 0, 1.6",
              "Biomechanics/Probes/Points: 1, 0, 1.6 m is"),
             ("Charge/Custom explosive/Density", "1650",
-             "set Charge/Explosive = custom")]:
+             "set Charge/Explosive = custom"),
+            ("Tissues/Tissue brian/Density", "100",
+             'Tissues/Tissue brian: no tissue of the library has this name; did '
+             'you mean "brain"? (known are soft tissue, skin'),
+            ("Tissues/Tissue brain/Shear modulus", "2000",
+             "Tissues/Tissue brain: Relaxing shear modulus = 3.3e+04 Pa of the "
+             "library exceeds"),
+            ("Tissues/Tissue brain/Densty", "1050", 'did you mean "Density"?'),
+            ("Tissues/Tissue water/Density", "1010",
+             'Tissues/Tissue water = "water" selects no part of the body: the '
+             "tissues of the body are brain, spinal cord")]:
         yield (f"{path} = {value}", "scene",
                shipped(SCENE, end, entry(path, value)), message)
+    yield ("tissue of a shape that nobody knows", "scene",
+           shipped(SCENE, end, entry("Body/Kind", "shape"),
+                   entry("Body/Shape/Tissues", "cork")),
+           'Body/Shape/Tissues: "cork" is no tissue; Known are soft tissue')
+    yield ("tissue of an image that nobody knows", "anatomy",
+           shipped(ANATOMY, entry("Body/Kind", "image"),
+                   entry("Body/Image/File", OTHER),
+                   entry("Body/Image/Labels", "1: bran")),
+           'row "1: bran": "bran" is no tissue; did you mean "brain"?')
+    yield ("tissue that the body lacks", "anatomy",
+           shipped(ANATOMY, entry("Tissues/Tissue water/Density", "1010")),
+           'Tissues/Tissue water = "water" selects no part of the body')
     custom = entry("Charge/Explosive", "custom")
     yield ("explosive without a sound speed", "scene",
            shipped(SCENE, custom,
@@ -294,6 +316,21 @@ def accepted():
                    entry("Charge/Custom explosive/Density", "1650")),
            "changed: Charge/Custom explosive/Density = 1650 kg/m^3, in the "
            "library 1601 kg/m^3")
+    yield ("tissues of the user", "scene",
+           shipped(SCENE, near, entry("Tissues/Tissue brain/Density", "1050")),
+           "changed: Tissues/Tissue brain/Density = 1050 kg/m^3, in the library "
+           "1000 kg/m^3")
+    felt = "Tissues/Tissue felt/"
+    yield ("a new tissue of the user", "scene",
+           shipped(SCENE, near, entry("Body/Kind", "shape"),
+                   entry("Body/Shift", "0, 0, 1"),
+                   entry("Body/Shape/Shape", "sphere"),
+                   entry("Body/Shape/Tissues", "felt"),
+                   entry(felt + "Density", "300"),
+                   entry(felt + "Bulk modulus", "1e6"),
+                   entry(felt + "Shear modulus", "1e5")),
+           "changed: Tissues/Tissue felt/Density = 300 kg/m^3, in the library "
+           "none, a new tissue")
     yield ("a small person who turns the right side to the charge", "scene",
            shipped(SCENE, near, entry("Body/Phantom/Stature", "1.62"),
                    entry("Body/Phantom/Mass", "58"),

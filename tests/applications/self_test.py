@@ -363,6 +363,8 @@ class SceneTest(SelfTest):
         options = ("scene_run", "--bound=status == finished")
         self.accepts(*options)
         self.rejects("is not == late", "scene_run", "--bound=status == late")
+        self.rejects("is not among the changes", *options,
+                     "--set=Tissues/Tissue foam/Density=100")
         self.rejects("stages of a second run", *options, flaw="restless")
         self.rejects("other tissues made the blast", *options,
                      flaw="forgetful")

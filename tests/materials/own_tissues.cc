@@ -72,9 +72,9 @@ TEST(OwnTissues, AnEntryChangesItselfAlone)
   EXPECT_EQ(changed.bulk_modulus, library.bulk_modulus);
   EXPECT_EQ(changed.relaxing_shear, library.relaxing_shear);
   EXPECT_EQ(changed.relaxation_time, library.relaxation_time);
-  EXPECT_EQ(own.changes(Tissue::brain, library),
+  EXPECT_EQ(own.changes_in_words(Tissue::brain, library),
             "Shear modulus = 4e+04 Pa instead of 4.1e+04");
-  EXPECT_EQ(own.changes(Tissue::skin, library), "");
+  EXPECT_EQ(own.changes_in_words(Tissue::skin, library), "");
 }
 
 

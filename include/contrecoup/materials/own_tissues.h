@@ -46,11 +46,25 @@ public:
    */
   SolidMaterial apply(Tissue tissue, const SolidMaterial &library) const;
 
-  /**
-   * What the entries of a tissue change, in words: "Density = 1100 kg/m^3
-   * instead of 1000, ..."; empty for a tissue without entries.
-   */
-  std::string changes(Tissue tissue, const SolidMaterial &library) const;
+  /// An entry that replaces a property.
+  struct Change
+  {
+    std::string entry;
+    std::string unit; ///< "-" for none
+    double value;
+    std::optional<double> before; ///< in the library; none of a new tissue
+
+    /// The value with its unit, "Density = 1100 kg/m^3".
+    std::string in_words() const;
+  };
+
+  /// What the entries of a tissue change; empty for a tissue without entries.
+  std::vector<Change> changes(Tissue tissue,
+                              const SolidMaterial &library) const;
+
+  /// The same in words: "Density = 1100 kg/m^3 instead of 1000, ...".
+  std::string changes_in_words(Tissue tissue,
+                               const SolidMaterial &library) const;
 
 private:
   /// Entries of a tissue, by name; those that the file leaves out are missing.

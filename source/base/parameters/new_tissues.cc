@@ -58,10 +58,11 @@ Tissue add_tissue(const std::string &name)
   const auto found = std::find(names.begin(), names.end(), name);
   if (found == names.end())
   {
-    if (name.empty() || name.find_first_of(",;:|\"") != std::string::npos)
-      throw InputError("\"" + name +
-                       "\" cannot name a tissue: a name has no comma, "
-                       "semicolon, colon, bar or quotation mark");
+    if (name.empty() || name.find_first_of(",;:=/|\"") != std::string::npos)
+      throw InputError(
+        "\"" + name +
+        "\" cannot name a tissue: a name has none of , ; : = / | "
+        "and no quotation mark");
     if (names.size() == most_tissues)
       throw InputError("\"" + name + "\": there can be " +
                        std::to_string(most_tissues - 1) + " tissues at most");

@@ -48,6 +48,7 @@ namespace coupling
           throw InputError("Mesh/Coarsening levels and Mesh/Smoothing "
                            "iterations need a body that is meshed here; "
                            "Body/Kind = mesh has its own hexahedra");
+        require_parts(parameters.own_tissues, *body_);
       }
 
       /// Logs what would be built and returns the cost estimate.
@@ -121,7 +122,8 @@ namespace coupling
                            grid ? &*grid : nullptr,
                            *surface_,
                            parameters_.body.references(),
-                           parameters_.tissue_set);
+                           parameters_.tissue_set,
+                           parameters_.own_tissues);
       }
 
       std::string path(const std::string &name) const

@@ -2,8 +2,12 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/parameters/selections.h>
+#include <contrecoup/base/system/text.h>
 #include <contrecoup/coupling/application/anatomy_parameters.h>
 #include <contrecoup/materials/tissue_library.h>
+
+#include <algorithm>
 
 namespace contrecoup
 {
@@ -92,12 +96,14 @@ namespace coupling
                         "Densities and moduli for masses and time steps: "
                         "those of the paper's table 1, or wave speeds as "
                         "measured on tissue.");
+      OwnTissues::declare_parameters(prm);
     }
     declare_output(prm);
   }
 
   void AnatomyParameters::parse_parameters(dealii::ParameterHandler &prm)
   {
+    own_tissues = read_own_tissues(prm);
     {
       const Section section(prm, "Body");
       body.parse_parameters(prm);
@@ -119,6 +125,38 @@ namespace coupling
     write_gmsh = prm.get_bool("Gmsh");
     distance_spacing = read_double(prm, "Distance spacing");
     draw = prm.get_bool("Pictures");
+  }
+
+
+  OwnTissues read_own_tissues(dealii::ParameterHandler &prm)
+  {
+    OwnTissues own;
+    own.parse_parameters(prm, "Tissues");
+    const Section section(prm, "Tissues");
+    for (const Tissue tissue : own.tissues())
+      find_solid_material(prm.get("Set"), tissue, own);
+    return own;
+  }
+
+
+  void require_parts(const OwnTissues &tissues, const Body &body)
+  {
+    std::vector<std::string> names;
+    for (const BodyPart &part : body.parts())
+      if (std::find(names.begin(), names.end(), name_of(part.tissue)) ==
+          names.end())
+        names.push_back(name_of(part.tissue));
+    Selections selections;
+    for (const Tissue tissue : tissues.tissues())
+    {
+      const std::string &name = name_of(tissue);
+      selections.add("Tissues/Tissue " + name,
+                     name,
+                     "part of the body",
+                     std::count(names.begin(), names.end(), name));
+    }
+    selections.require_some(MPI_COMM_SELF,
+                            "the tissues of the body are " + join(names, ", "));
   }
 } // namespace coupling
 } // namespace contrecoup

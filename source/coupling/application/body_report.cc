@@ -5,7 +5,6 @@
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/coupling/application/body_report.h>
 #include <contrecoup/geometry/mesh/hex_components.h>
-#include <contrecoup/materials/tissue_library.h>
 
 #include <iomanip>
 #include <sstream>
@@ -20,7 +19,7 @@ namespace coupling
     using dealii::Tensor;
 
     /// Stable time step of an element of this length, see make_report() [s].
-    double stable_step(const TissueProperties &tissue, const double length)
+    double stable_step(const SolidMaterial &tissue, const double length)
     {
       const double stiffness =
         std::max(12. * tissue.bulk_modulus, 8. * tissue.instantaneous_shear);
@@ -30,10 +29,8 @@ namespace coupling
     ReportRow part_row(const BodyPart &part,
                        const HexQuality &quality,
                        const unsigned int components,
-                       const std::string &tissue_set)
+                       const SolidMaterial &tissue)
     {
-      const TissueProperties &tissue =
-        find_tissue_properties(tissue_set, part.tissue);
       ReportRow row;
       row.kind = "part";
       row.name = part.name;
@@ -75,6 +72,7 @@ namespace coupling
     void add_rows(const HexMesh &mesh,
                   const LabelGrid *grid,
                   const std::string &tissue_set,
+                  const OwnTissues &own_tissues,
                   BodyReport &report)
     {
       const auto part_components = components_of(mesh, grid, false);
@@ -85,8 +83,12 @@ namespace coupling
       for (std::size_t i = 0; i < mesh.parts.size(); ++i)
         if (qualities[i].n_cells > 0)
         {
-          report.rows.push_back(part_row(
-            mesh.parts[i], qualities[i], part_components[i], tissue_set));
+          report.rows.push_back(
+            part_row(mesh.parts[i],
+                     qualities[i],
+                     part_components[i],
+                     find_solid_material(
+                       tissue_set, mesh.parts[i].tissue, own_tissues)));
           const ReportRow &row = report.rows.back();
           add(tissues[static_cast<std::size_t>(mesh.parts[i].tissue)], row);
           add(body, row);
@@ -135,10 +137,11 @@ namespace coupling
                          const LabelGrid *grid,
                          const Shape &surface,
                          const std::vector<OrganReference> &references,
-                         const std::string &tissue_set)
+                         const std::string &tissue_set,
+                         const OwnTissues &own_tissues)
   {
     BodyReport report;
-    add_rows(mesh, grid, tissue_set, report);
+    add_rows(mesh, grid, tissue_set, own_tissues, report);
     const dealii::BoundingBox<3> box(mesh.nodes);
     report.lower_corner = box.get_boundary_points().first;
     report.upper_corner = box.get_boundary_points().second;

@@ -6,6 +6,7 @@
 #include <contrecoup/base/system/log.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/base/system/version.h>
+#include <contrecoup/coupling/application/anatomy_parameters.h>
 #include <contrecoup/coupling/scene/first_answer.h>
 #include <contrecoup/coupling/scene/planned_scene.h>
 #include <contrecoup/io/run/plan_table.h>
@@ -42,6 +43,7 @@ PlannedScene::PlannedScene(dealii::ParameterHandler &prm,
     description_.parse_parameters(prm);
   }
   body_ = description_.create();
+  require_parts(parameters_.own_tissues, *body_);
   layout_.emplace(parameters_, *body_->surface());
   parameters_.fit_elements(layout_->body);
   find_body(prm);

@@ -100,6 +100,23 @@ namespace
   }
 
 
+  /// Tissues of the scene as those of a stage, in its @p section.
+  void set_tissues(const SceneParameters &scene,
+                   const std::string &section,
+                   Entries &entries)
+  {
+    entries.set(section + "/Set", scene.tissues, "Tissues/Set");
+    for (const Tissue tissue : scene.own_tissues.tissues())
+      for (const OwnTissues::Change &change :
+           scene.own_tissues.changes(tissue, {}))
+      {
+        const std::string entry =
+          "/Tissue " + name_of(tissue) + "/" + change.entry;
+        entries.set(section + entry, change.value, "Tissues" + entry);
+      }
+  }
+
+
   void set_domain(const SceneLayout &layout, Entries &entries)
   {
     // The end time determines the extent of the domain.
@@ -328,7 +345,7 @@ std::vector<Assignment> anatomy_entries(const SceneParameters &scene)
 {
   Entries entries;
   entries.set("Mesh/Element size", scene.element_size, "Scene/Element size");
-  entries.set("Tissues/Set", scene.tissues, "Tissues/Set");
+  set_tissues(scene, "Tissues", entries);
   return entries.take();
 }
 
@@ -369,7 +386,7 @@ biomechanics_entries(const SceneParameters &scene,
   Entries entries;
   entries.set("Mesh/Kind", "body", "Body/Kind");
   entries.set("Mesh/Element size", scene.element_size, "Scene/Element size");
-  entries.set("Materials/Set", scene.tissues, "Tissues/Set");
+  set_tissues(scene, "Materials", entries);
   entries.set("Elements/Kinematics", "finite rotation");
   entries.set("Elements/Precision", "single");
   if (scene.element_size > largest_thin_element)

@@ -290,6 +290,7 @@ void SceneParameters::declare_own(ParameterHandler &prm)
                       "Set of the tissue library. The paper's own lung has a "
                       "constant bulk modulus of 42 kPa and is crushed by "
                       "blasts that injure.");
+    OwnTissues::declare_parameters(prm);
   }
 }
 
@@ -299,8 +300,23 @@ void SceneParameters::parse_parameters(ParameterHandler &prm)
   changes.clear();
   parse_scene(prm);
   parse_charge(prm);
+  parse_tissues(prm);
+}
+
+
+void SceneParameters::parse_tissues(ParameterHandler &prm)
+{
+  own_tissues = read_own_tissues(prm);
   const Section section(prm, "Tissues");
   tissues = prm.get("Set");
+  for (const Tissue tissue : own_tissues.tissues())
+    for (const OwnTissues::Change &change :
+         own_tissues.changes(tissue, find_solid_material(tissues, tissue, {})))
+      changes.push_back(
+        {"Tissues/Tissue " + name_of(tissue) + "/" + change.entry,
+         with_unit(change.value, change.unit),
+         change.before ? with_unit(*change.before, change.unit)
+                       : "none, a new tissue"});
 }
 
 

@@ -5,7 +5,6 @@
 #include <contrecoup/coupling/scene/scene_plan.h>
 #include <contrecoup/io/file/checked_file.h>
 #include <contrecoup/io/output/history_reader.h>
-#include <contrecoup/materials/tissue_library.h>
 
 #include <nlohmann/json.hpp>
 
@@ -147,8 +146,8 @@ namespace
   /// does not, so that the load crushes elements.
   Assumption lung(const SceneParameters &scene, const SceneLayout &layout)
   {
-    const TissueProperties &tissue =
-      find_tissue_properties(scene.tissues, Tissue::lung);
+    const SolidMaterial tissue =
+      find_solid_material(scene.tissues, Tissue::lung, scene.own_tissues);
     const bool has_air = tissue.gas.exists();
     return {
       "lung",

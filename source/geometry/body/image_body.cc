@@ -38,17 +38,17 @@ namespace
       throw InputError("Body/Image/Labels, row \"" + text +
                        "\": must read \"label: tissue\" or \"first-last: name "
                        "= tissue\"");
-    const std::string where = "Body/Image/Labels, row \"" + text + "\": ";
+    const std::string where = "Body/Image/Labels, row \"" + text + "\"";
     const std::vector<std::string> ends = split(text.substr(0, colon), '-');
     if (ends.empty() || ends.size() > 2)
-      throw InputError(where + "must read \"label: tissue\" or \"first-last: "
+      throw InputError(where + ": must read \"label: tissue\" or \"first-last: "
                                "name = tissue\"");
     LabelRow row;
     row.text = text;
     row.first = parse_label(ends.front(), text);
     row.last = parse_label(ends.back(), text);
     if (row.last < row.first)
-      throw InputError(where + "its last label is below its first");
+      throw InputError(where + ": its last label is below its first");
     row.part = parse_body_part(text.substr(colon + 1), where);
     return row;
   }

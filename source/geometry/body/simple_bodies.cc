@@ -106,7 +106,7 @@ void SimpleBody::declare_parameters(dealii::ParameterHandler &prm)
     "Tissue of the shape, or of core and layers from the inside, "
     "separated by commas: names out of " +
       join({tissue_names().begin() + 1, tissue_names().end()}, ", ") +
-      ". Empty: soft tissue; brain, cerebrospinal fluid, "
+      ", or of the user's own. Empty: soft tissue; brain, cerebrospinal fluid, "
       "skeleton, soft tissue; water, polycarbonate.");
 }
 

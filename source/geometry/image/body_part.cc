@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/base/parameters/parameter_names.h>
+#include <contrecoup/base/parameters/tissue_list.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/geometry/image/body_part.h>
@@ -13,15 +15,11 @@ BodyPart parse_body_part(const std::string &text, const std::string &where)
 {
   const std::vector<std::string> names = split(text, '=');
   if (names.empty() || names.size() > 2)
-    throw InputError(where + "\"" + text +
+    throw InputError(where + ": \"" + text +
                      "\" must read \"tissue\" or \"name = tissue\"");
-  try
-  {
-    return {names.front(), find_tissue(names.back())};
-  }
-  catch (const InputError &error)
-  {
-    throw InputError(where + error.what());
-  }
+  return {names.front(),
+          resolve_name(names.back(), {name_of(Tissue::none)}).empty()
+            ? find_one_tissue(names.back(), where)
+            : Tissue::none};
 }
 } // namespace contrecoup

@@ -91,16 +91,16 @@ void MeshGroups::parse_parameters(dealii::ParameterHandler &prm,
   {
     if (text.empty())
       continue;
-    const std::string where = entry_ + ", row \"" + text + "\": ";
+    const std::string where = entry_ + ", row \"" + text + "\"";
     const std::size_t colon = text.find(':');
     if (colon == std::string::npos || trim(text.substr(0, colon)).empty())
-      throw InputError(where + "must read \"group: tissue\", such as \"1: "
+      throw InputError(where + ": must read \"group: tissue\", such as \"1: "
                                "brain\"");
     rows_.push_back({text,
                      trim(text.substr(0, colon)),
                      parse_body_part(text.substr(colon + 1), where)});
     if (rows_.back().part.tissue == Tissue::none)
-      throw InputError(where + "cells without tissue must be left out of the "
+      throw InputError(where + ": cells without tissue must be left out of the "
                                "file");
   }
 }

@@ -83,7 +83,7 @@ void SolidMaterials::parse_parameters(ParameterHandler &prm)
 
 std::string SolidMaterials::changes(const Tissue tissue) const
 {
-  return own_.changes(tissue, of_library(tissue));
+  return own_.changes_in_words(tissue, of_library(tissue));
 }
 
 

@@ -87,6 +87,33 @@ def require_own_names(output):
                 f"entries of what was taken for granted: {found}")
 
 
+def require_own_tissues(case, output):
+    """Each entry of a tissue among the overrides is listed as a change of the
+    libraries, and the masses of the mesh have the densities."""
+    changes = {row["entry"]: row["value"].split()[0] for row in
+               read_json(output, "scene.json").get("changes", [])}
+    wanted = {entry: float(value) for entry, _, value in (
+        text.partition("=") for text in case.options.set)
+        if entry.startswith("Tissues/Tissue ")}
+    for entry, value in wanted.items():
+        require(entry in changes and float(changes[entry]) == value,
+                f"{entry} is not among the changes: {changes}")
+        if entry.endswith("/Density"):
+            density = mesh_density(output,
+                                   entry.split("/")[1].partition(" ")[2])
+            require(abs(density - value) < 1e-9 * value,
+                    f"{entry} is {density} in the mesh")
+
+
+def mesh_density(output, tissue):
+    """Of the mesh that anatomy made [kg/m^3]."""
+    path = os.path.join(output, "anatomy", "quality.csv")
+    with open(path, newline="", encoding="utf-8") as file:
+        row = next(row for row in csv.DictReader(file)
+                   if (row["kind"], row["name"]) == ("tissue", tissue))
+    return float(row["mass [kg]"]) / float(row["volume [m^3]"])
+
+
 def require_repeatable(output):
     """The line of scene.json calls the scene from any folder, with all that was
     asked for: a finished one is left as it is."""
@@ -111,6 +138,7 @@ def scene_run(case, check_bound, read_summary):
     masses = body_masses(output)
     require(max(masses) < 1.05 * min(masses), f"body masses are {masses} kg")
     require_charge(output)
+    require_own_tissues(case, output)
     require_own_names(output)
     require_repeatable(output)
     loads = os.stat(os.path.join(output, "blast", "loads.h5")).st_mtime_ns

@@ -5,6 +5,7 @@
 
 #include <contrecoup/geometry/body/body_description.h>
 #include <contrecoup/geometry/mesh/mesh_smoothing.h>
+#include <contrecoup/materials/own_tissues.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -28,10 +29,20 @@ namespace coupling
     unsigned int levels = 0;    ///< coarsening levels
     SmoothingOptions smoothing; ///< zero iterations: no smoothing
     std::string tissue_set;
+    OwnTissues own_tissues;
     bool write_gmsh = false;
     bool write_surface = true;
     double distance_spacing = 0.; ///< grid of signed distances [m], 0: none
     bool draw = true;
   };
+
+  /// Reads the tissues of the user's own of subsection "Tissues", before names
+  /// of tissues are read elsewhere. @throws InputError for bad entries and for
+  /// properties that no stable solid has, also with the values of the set
+  OwnTissues read_own_tissues(dealii::ParameterHandler &prm);
+
+  /// @throws InputError for a tissue with entries of its own in subsection
+  /// "Tissues" that no part of the body has
+  void require_parts(const OwnTissues &tissues, const Body &body);
 } // namespace coupling
 } // namespace contrecoup

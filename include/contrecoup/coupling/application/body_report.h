@@ -6,6 +6,7 @@
 #include <contrecoup/geometry/body/body.h>
 #include <contrecoup/geometry/body/phantom.h>
 #include <contrecoup/geometry/mesh/hex_quality.h>
+#include <contrecoup/materials/own_tissues.h>
 
 #include <map>
 #include <string>
@@ -71,13 +72,15 @@ namespace coupling
    * of the true surface, so that a staircase surface is not overestimated.
    * @param grid from which the mesh was made; null for a mesh of one's own
    * @param tissue_set one of tissue_set_names()
+   * @param own_tissues new ones and changes of those of the set
    * @throws InputError for a tissue without properties
    */
   BodyReport make_report(const HexMesh &mesh,
                          const LabelGrid *grid,
                          const Shape &surface,
                          const std::vector<OrganReference> &references,
-                         const std::string &tissue_set);
+                         const std::string &tissue_set,
+                         const OwnTissues &own_tissues);
 
   /// Figures of the fit of inserted organs by their names in summary.json, with
   /// the limits that they should meet; empty without such organs.

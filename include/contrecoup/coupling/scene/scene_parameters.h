@@ -5,6 +5,7 @@
 
 #include <contrecoup/base/parameters/parameter_file.h>
 #include <contrecoup/materials/explosives.h>
+#include <contrecoup/materials/own_tissues.h>
 #include <contrecoup/numerics/injury/incident_wave.h>
 
 #include <deal.II/base/bounding_box.h>
@@ -58,9 +59,10 @@ struct SceneParameters
   /// Whether an entry is one of an application.
   static bool is_of_stage(const Assignment &assignment);
 
-  /// Reads "Scene", "Charge" and "Tissues".
+  /// Reads "Scene", "Charge" and "Tissues"; call this before names of tissues
+  /// are read elsewhere: new ones become known.
   /// @throws InputError for a charge without a position and for an explosive
-  /// that is not known or cannot be computed with
+  /// that is not known or cannot be computed with; for tissues likewise
   void parse_parameters(dealii::ParameterHandler &prm);
 
   /// Sets the edge of the elements unless an entry gives it: that of the
@@ -105,13 +107,15 @@ struct SceneParameters
   double height = 0.;   ///< of the charge's centre above the ground [m]
   /// Position of the charge's centre instead [m]
   std::optional<dealii::Point<3>> place;
-  std::string tissues; ///< set in the tissue library
+  std::string tissues;    ///< set in the tissue library
+  OwnTissues own_tissues; ///< new ones and changes of those of the set
   /// Values of explosive and tissues that are not those of the libraries.
   std::vector<ChangedEntry> changes;
 
 private:
   void parse_scene(dealii::ParameterHandler &prm);
   void parse_charge(dealii::ParameterHandler &prm);
+  void parse_tissues(dealii::ParameterHandler &prm);
   /// Reads entry and subsection of the explosive.
   void parse_explosive(dealii::ParameterHandler &prm);
 };

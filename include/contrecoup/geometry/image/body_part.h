@@ -18,8 +18,8 @@ struct BodyPart
 
 /**
  * Parses "tissue" or "name = tissue".
- * @param where begin of error messages
- * @throws InputError for an unknown tissue
+ * @param where place of the text, for errors
+ * @throws InputError for an unknown tissue, with a list
  */
 BodyPart parse_body_part(const std::string &text, const std::string &where);
 } // namespace contrecoup
