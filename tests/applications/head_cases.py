@@ -42,6 +42,10 @@ def refused_by_both():
            'Injury/Brain: there is no region "brian"; did you mean "brain"?')
     yield ("measures of the start alone", {"Injury/Every steps": "1000000"},
            "Injury/Every steps = 1000000 selects no step after the start")
+    yield ("thresholds of the chest", {
+        "Injury/Measure injury_lung_exposure/Thresholds": "0.5: harm"},
+        "Injury/Measure injury_lung_exposure: this measure is not taken here; "
+        "those are injury_bric")
     yield ("liquid brain", {"Injury/Brain": "CSF"},
            'Injury/Brain: region "CSF" is a fluid')
     yield ("probe outside", {"Probes/Points": "0, 0, 0.1"},
@@ -91,8 +95,13 @@ def refused_by_one():
 
 
 def warned_of():
-    """What is computed with a warning."""
+    """What is computed with a warning, or a word in the plan."""
     for method in ("ale", "mpm"):
+        yield (HEAD, f"{method}: thresholds of the user",
+               dict(COARSE, **{
+                   "Method": method,
+                   "Injury/Measure injury_hic15/Thresholds": "300: harm"}),
+               "injury_hic15 with 300: harm (the user's own)")
         yield (HEAD, f"{method}: contact after the end",
                {"Method": method, "Plane wall/Point": "0, 0, -0.121"},
                "WARNING: Plane wall: the body is 0.03 m away and comes nearer "
@@ -130,5 +139,5 @@ def refused(shipped, entry):
 
 
 def warned(shipped, entry):
-    """The cases that must be accepted with a warning."""
+    """The cases that must be accepted with a warning or a word."""
     yield from files(warned_of(), shipped, entry)

@@ -267,6 +267,25 @@ def refused_scenes():
              "tissues of the body are brain, spinal cord")]:
         yield (f"{path} = {value}", "scene",
                shipped(SCENE, end, entry(path, value)), message)
+    hic = "Injury/Measure injury_hic15/Thresholds"
+    for path, value, message in [
+            ("Injury/Measure hic15/Thresholds", "1: harm",
+             "there is no such measure of injury; "),
+            (hic, "300", '"300" must be a value and what it means'),
+            (hic, "300: harm; 200: death", "in the order of increasing"),
+            ("Injury/Measure injury_lung_exposure/Thresholds", "0.5: harm",
+             "Injury/Measure injury_lung_exposure: this measure is not taken "
+             "here; those are chest_wall_back")]:
+        yield (f"{path} = {value}", "scene",
+               shipped(SCENE, end, entry(path, value)), message)
+    yield ("thresholds where nothing is measured", "biomechanics",
+           shipped(BAR, entry(hic, "300: harm")),
+           "is not taken here (Injury/Active = false); none is")
+    yield ("thresholds of the head without a brain", "biomechanics",
+           shipped(BAR, entry(hic, "300: harm"), entry("Mesh/Tissue", "lung"),
+                   entry("Injury/Active", "true")),
+           'Injury/Measure injury_hic15 = "300: harm (the user\'s own)" selects '
+           "no element of brain")
     yield ("tissue of a shape that nobody knows", "scene",
            shipped(SCENE, end, entry("Body/Kind", "shape"),
                    entry("Body/Shape/Tissues", "cork")),
@@ -331,6 +350,12 @@ def accepted():
                    entry(felt + "Shear modulus", "1e5")),
            "changed: Tissues/Tissue felt/Density = 300 kg/m^3, in the library "
            "none, a new tissue")
+    yield ("thresholds of the user", "scene",
+           shipped(SCENE, near, entry("Injury/Measure ear_rupture/Thresholds",
+                                      "0.1: too many"),
+                   entry("Injury/Measure ear_rupture/Source", "our ward")),
+           "changed: Injury/Measure ear_rupture/Thresholds = 0.1: too many (the "
+           "user's own: our ward), in the library 0.05: rupture possible")
     yield ("a small person who turns the right side to the charge", "scene",
            shipped(SCENE, near, entry("Body/Phantom/Stature", "1.62"),
                    entry("Body/Phantom/Mass", "58"),

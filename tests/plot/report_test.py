@@ -400,14 +400,14 @@ class ReportTest(unittest.TestCase):
     def test_probabilities_are_bounded(self):
         """An error of the measure is carried through the curve, and may be as
         large as the measure."""
-        known = "rupture", [(0.5, "likely")], "", ""
+        known = injury_thresholds.Known("rupture", [(0.5, "likely")], "", "")
         for error, low, high in ((0.1, 0.951, 0.976), (1.5, 0., 1.)):
             found = injury_table.Judged(
                 "ear", 0.966, "-", known, error, "", curve="eardrum_rupture",
                 of=347e3).bounds()
             self.assertAlmostEqual(found[0], low, 2)
             self.assertAlmostEqual(found[1], high, 2)
-        part = injury_table.Judged("x", 0.984, "-", (
+        part = injury_table.Judged("x", 0.984, "-", injury_thresholds.Known(
             "fraction of the brain", [], "", ""), 0.47, "")
         self.assertEqual(part.shown_error().replace("\u00a0", " "),
                          "52 to 100 %")
@@ -436,6 +436,47 @@ class ReportTest(unittest.TestCase):
                 place, value, "-", known, None, "", curve="given",
                 of=0.)])
             self.assertIn(words, str(found[0]))
+
+    def test_own_thresholds(self):
+        """They change verdict and words, and count as the user's own, also
+        where published ones give no verdict."""
+        folder = self.copy_without("blast/fields", "biomechanics/fields.pvd")
+        tiny_scene.write(
+            os.path.join(folder, "parameters.prm"),
+            "subsection Injury\n"
+            "  subsection Measure Injury HIC15\n"
+            "    set Thresholds = 1: headache; 5000: concussion\n"
+            "    set Source = our ward\n  end\n"
+            "  subsection Measure injury_intracranial_pressure_peak\n"
+            "    set Thresholds = 1e9: harm\n  end\n"
+            "  subsection Measure ear_rupture\n"
+            "    set Thresholds = 1e-6: too loud\n  end\nend\n")
+        published, own = (
+            {entry.name: entry for entry in injury_table.judge(Scene(path))}
+            for path in (self.whole, folder))
+        hic = own["injury_hic15"]
+        self.assertEqual(hic.meaning(), "headache")
+        self.assertNotEqual(published["injury_hic15"].meaning(), "headache")
+        self.assertEqual(hic.source, "the user's own: our ward")
+        peak = "injury_intracranial_pressure_peak"
+        self.assertFalse(published[peak].has_verdict)
+        self.assertTrue(own[peak].has_verdict)
+        self.assertEqual(injury_table.severity(own[peak]), "good")
+        ear = own["ear_rupture_left ear"]
+        self.assertEqual((ear.meaning(), ear.is_own), ("too loud", True))
+        self.assertEqual({name for name, entry in own.items() if entry.is_own},
+                         {"injury_hic15", peak} | {
+                             name for name in own
+                             if name.startswith("ear_rupture")})
+        made = Made(folder)
+        self.expect(text_of(made.page), "HIC15 as for headache",
+                    "1: headache 5000: concussion the user's own: our ward")
+        with open(os.path.join(folder, "report.json"),
+                  encoding="utf-8") as file:
+            told = {one["name"]: one for one in json.load(file)["measures"]}
+        self.assertEqual(told["injury_hic15"]["verdict"], "headache")
+        self.assertTrue(told["injury_hic15"]["is_own"])
+        self.assertFalse(told["injury_strain_95"]["is_own"])
 
     def test_warnings(self):
         """Those of all stages stand in the report, each once."""

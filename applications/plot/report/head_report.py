@@ -125,7 +125,7 @@ def answer(run, judged):
     hic = injury_table.find(judged, "injury_hic15")
     if hic is not None:
         text.append(f"HIC15 is {page.number(hic.value)}"
-                    + (f", above the {hic.meaning()}." if hic.meaning()
+                    + (f", {hic.reached()}." if hic.meaning()
                        else ", below all limits."))
     end = float(run.history["time"][-1])
     return page.tag(
@@ -423,16 +423,12 @@ def energy(run, folder):
 
 def judge(run):
     """Measures of injury.csv beside their thresholds."""
-    judged, found = [], measures(run)
-    for name, measure in found.items():
-        if name in injury_thresholds.OF_CURVES:
-            continue
-        title, thresholds, source, _ = injury_thresholds.KNOWN.get(
-            name, (injury_thresholds.title(name), [], measure.threshold, ""))
-        judged.append(injury_table.Judged(
-            name, measure.value, measure.unit,
-            (title, thresholds, source, measure.limits), None, ""))
-    return judged
+    all_known = injury_thresholds.known_by(run.parameters)
+    return [injury_table.Judged(
+        name, measure.value, measure.unit,
+        injury_table.of_file(name, measure, all_known), None, "")
+            for name, measure in measures(run).items()
+            if name not in injury_thresholds.OF_CURVES]
 
 
 def measures(run):

@@ -6,7 +6,7 @@ import math
 import re
 
 from plot.report import error_estimate, injury_thresholds, page
-from plot.report.injury_thresholds import KNOWN
+from plot.report.injury_thresholds import Known
 
 # Names of the measures of gauge_injury.csv; of chest and back, the side with
 # the larger load is shown.
@@ -39,12 +39,13 @@ class Judged:
     def __init__(self, name, value, unit, known, error, error_of,
                  coarser=None, curve="", of=None):
         self.name, self.value, self.unit = name, value, unit
-        self.title, self.thresholds, self.source, self.limits = known
+        self.title, self.thresholds = known.title, known.thresholds
+        self.source, self.limits = known.source, known.limits
+        self.is_own = known.is_own
         self.coarser, self.error, self.error_of = coarser, error, error_of
         self.curve, self.of = curve, of
         self.is_fraction = bool(curve) or self.title.startswith("fraction ")
-        self.has_verdict = bool(self.thresholds) \
-            and name not in injury_thresholds.EXPOSURES
+        self.has_verdict = bool(self.thresholds) and not known.is_exposure
 
     def short_title(self):
         """The abbreviation, or the title without its brackets."""
@@ -102,6 +103,12 @@ class Judged:
         count = self.exceeded(value)
         return self.thresholds[count - 1][1] if count else ""
 
+    def reached(self):
+        """The same after the name of the measure."""
+        meaning = self.meaning()
+        return f"above the {meaning}" if meaning.startswith("limit") \
+            else f"as for {meaning}"
+
     def is_certain(self):
         """Whether the estimated error leaves the verdict as it is; None if no
         error is known."""
@@ -115,12 +122,14 @@ def judge(scene):
     """All measures, those of the skin first."""
     side = loaded_side(scene)
     with_air = has_chest(scene) and has_probe_at_body(scene)
+    all_known = injury_thresholds.known_by(scene.parameters,
+                                           scene.biomechanics.parameters)
     coarser = {} if scene.coarser is None else _measures_of(
-        scene.coarser, side, with_air)
+        scene.coarser, side, with_air, all_known)
     of_gauges = error_estimate.of_scene_gauges(scene)
     judged = []
     for name, (value, unit, known) in _measures_of(
-            scene, side, with_air).items():
+            scene, side, with_air, all_known).items():
         other = coarser.get(name)
         error, causes = (None, "") if other is None else error_estimate.of(
             scene, name, value, other[0])
@@ -186,7 +195,14 @@ def has_probe_at_body(scene):
         and abs(math.dist(charge, probe) / distance - 1.) < AS_FAR
 
 
-def _measures_of(run, side, with_air):
+def of_file(name, measure, all_known):
+    """What is known of a Measure of injury.csv, which has its own limits."""
+    known = all_known.get(name, Known(injury_thresholds.title(name), [],
+                                      measure.threshold, ""))
+    return known._replace(limits=measure.limits or known.limits)
+
+
+def _measures_of(run, side, with_air, all_known):
     """Value, unit, and what is known of each measure, by name; @p run: a
     Scene or its CoarserRun."""
     found = {}
@@ -194,23 +210,21 @@ def _measures_of(run, side, with_air):
     def add(name, value, unit, known):
         found[name] = value, unit, known
 
-    _add_skin(run, side, add)
+    _add_skin(run, side, all_known, add)
     if with_air:
         for (measure, place), one in run.air_injury().items():
             name = AIR_NAMES.get(measure)
             if place == "probe 1" and name is not None:
-                add(name, one.value, one.unit, KNOWN[name])
+                add(name, one.value, one.unit, all_known[name])
     for name, measure in run.measures().items():
         if name in NO_INJURY or name in injury_thresholds.OF_CURVES:
             continue
-        title, thresholds, source, limits = KNOWN.get(
-            name, (injury_thresholds.title(name), [], measure.threshold, ""))
         add(name, measure.value, measure.unit,
-            (title, thresholds, source, measure.limits or limits))
+            of_file(name, measure, all_known))
     return found
 
 
-def _add_skin(run, side, add):
+def _add_skin(run, side, all_known, add):
     """Measures of the recorded loads alone, eardrums first, as in the table;
     of chest and back those of a side, and their mean."""
     gauges = run.gauge_measures()
@@ -219,14 +233,15 @@ def _add_skin(run, side, add):
             key=lambda item: item[0][0] != "eardrum_rupture"):
         name = SKIN_NAMES.get((measure, place))
         if measure == "eardrum_rupture":
-            words, thresholds, source, limits = KNOWN["ear_rupture"]
+            known = all_known["ear_rupture"]
             peak = gauges.get(place, {}).get("peak")
             add("ear_rupture_" + place, found.value, found.unit,
-                (words.replace("an eardrum", f"the {place}drum"), thresholds,
-                 source, limits if peak is None else
-                 f"peak {page.quantity(peak, 'Pa')}; {limits}"))
+                known._replace(
+                    title=known.title.replace("an eardrum", f"the {place}drum"),
+                    limits=known.limits if peak is None else
+                    f"peak {page.quantity(peak, 'Pa')}; {known.limits}"))
         elif name is not None and place in (side, "trunk"):
-            add(name, found.value, found.unit, KNOWN[name])
+            add(name, found.value, found.unit, all_known[name])
 
 
 def find(judged, name):

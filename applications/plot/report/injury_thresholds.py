@@ -1,11 +1,16 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Contrecoup authors
 """Measures of injury: their names, thresholds with sources, and limitations.
-All of it is in injury_criteria.json, which the applications read as well."""
+All of it is in injury_criteria.json, which the applications read as well; a run
+may have thresholds of the user's own in place of the published ones."""
 
 import json
 import math
 import os
+import re
+from typing import NamedTuple
+
+from plot.readers import files
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 # Beside this file where Contrecoup is installed, beside the code elsewhere.
@@ -14,6 +19,21 @@ DATA = [path for path in (
     os.path.join(os.path.dirname(os.path.dirname(os.path.dirname(HERE))),
                  "source", "numerics", "injury", "injury_criteria.json"))
         if os.path.exists(path)]
+
+
+class Known(NamedTuple):
+    """What is known of a measure: title, an abbreviation in brackets at its
+    end; thresholds in increasing order of severity, with their meanings;
+    source; limitations. Of a measure that is worse when lower thresholds are
+    negative."""
+    title: str
+    thresholds: list
+    source: str
+    limits: str
+    # Measures of how strong the load is. Their thresholds, found for other
+    # loads, give no verdict on injury.
+    is_exposure: bool = False
+    is_own: bool = False  # thresholds of the user
 
 
 def _read():
@@ -36,17 +56,11 @@ def _thresholds(measure):
 
 
 _KNOWN = _read()
-# By the names of biomechanics, and of the report for the loads: title, an
-# abbreviation in brackets at its end; thresholds in increasing order of
-# severity, with their meanings; source; limitations. Of a measure that is worse
-# when lower thresholds are negative.
-KNOWN = {name: (measure["title"], _thresholds(measure),
-                _KNOWN["sources"][measure["source"]], measure["limits"])
+# By the names of biomechanics, and of the report for the loads.
+KNOWN = {name: Known(measure["title"], _thresholds(measure),
+                     _KNOWN["sources"][measure["source"]], measure["limits"],
+                     measure.get("is_exposure", False))
          for name, measure in _KNOWN["measures"].items()}
-# Measures of how strong the load is. Their thresholds, found for other loads,
-# give no verdict on injury.
-EXPOSURES = frozenset(name for name, measure in _KNOWN["measures"].items()
-                      if measure.get("is_exposure"))
 # By measure: curves of probabilities, and of which event.
 CURVES = {name: [(curve, _KNOWN["curves"][curve]["event"])
                  for curve in measure["curves"]]
@@ -55,6 +69,38 @@ CURVES = {name: [(curve, _KNOWN["curves"][curve]["event"])
 # What biomechanics calls these probabilities.
 OF_CURVES = frozenset("injury_" + curve for rows in CURVES.values()
                       for curve, _ in rows)
+
+
+def known_by(*parameters):
+    """KNOWN, with the thresholds that entries "Injury/Measure NAME/..." of
+    parameter files have in place of the published ones, as the C++ class
+    OwnThresholds reads them."""
+    found = dict(KNOWN)
+    for entries in parameters:
+        for entry, text in entries.items():
+            match = re.fullmatch(r"Injury/Measure (.*)/Thresholds", entry)
+            name = re.sub("[- ]", "_", match[1].lower()) if match else ""
+            if name in KNOWN:
+                source = entries.get(f"Injury/Measure {match[1]}/Source", "")
+                found[name] = _with_own(KNOWN[name], text, source)
+    return found
+
+
+def _with_own(published, text, source):
+    """A measure with thresholds "value: meaning; ...", and where they are
+    from."""
+    words = [word.partition(":") for word in text.split(";") if word.strip()]
+    try:
+        thresholds = [(float(value), meaning.strip())
+                      for value, _, meaning in words]
+    except ValueError as error:
+        raise files.BrokenInput(f"parameters.prm: Injury/Measure: {error}") \
+            from error
+    return published._replace(
+        thresholds=thresholds,
+        source="the user's own" + (f": {source}" if source else ""),
+        limits="thresholds of the user's own; with those that are published: "
+        + published.limits, is_exposure=False, is_own=True)
 
 
 def probability(curve, value):

@@ -71,7 +71,8 @@ def _measure(entry):
             "probabilities": [{"event": event, "value": value,
                                **_bounds(bounds)}
                               for event, value, bounds in entry.chances()],
-            "source": entry.source, "limits": entry.limits}
+            "source": entry.source, "is_own": entry.is_own,
+            "limits": entry.limits}
 
 
 def write(folder, content):

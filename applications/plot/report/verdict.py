@@ -172,9 +172,7 @@ def _brain(judged):
 
 def _reached(entry):
     """What a measure of the brain says, in words."""
-    meaning = entry.meaning()
-    if entry.name == "injury_intracranial_pressure_lowest":
-        return meaning
-    return f"{entry.short_title()} " + (
-        f"above the {meaning}" if meaning.startswith("limit")
-        else f"as for {meaning}")
+    if entry.name == "injury_intracranial_pressure_lowest" \
+            and not entry.is_own:
+        return entry.meaning()
+    return f"{entry.short_title()} {entry.reached()}"

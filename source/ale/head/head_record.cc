@@ -95,11 +95,13 @@ void HeadRecord::declare_parameters(ParameterHandler &prm)
                   1,
                   1000000,
                   "Steps between evaluations; peaks in between are missed.");
+  OwnThresholds::declare_parameters(prm);
 }
 
 
 void HeadRecord::parse_parameters(ParameterHandler &prm)
 {
+  own_.parse_parameters(prm, "Injury");
   {
     const Section section(prm, "Injury");
     brain_name_ = trim(prm.get(brain_entry));
@@ -118,6 +120,12 @@ void HeadRecord::find(const std::vector<Region> &regions,
 {
   brain_ = find_solid(regions, brain_entry, brain_name_, "brain", none);
   skull_ = find_solid(regions, skull_entry, skull_name_, "skull", none);
+  if (brain_ != none)
+    own_.require(injury_measures_of({"head"}), "");
+  else if (skull_ != none)
+    own_.require({"injury_bric", "injury_hic15"}, "there is no brain");
+  else
+    own_.require({}, "there is neither brain nor skull");
   normal_ = planes.empty() ? dealii::Tensor<1, 3>() : planes.front().normal;
 }
 
@@ -185,6 +193,7 @@ HeadRecord::measures(const MPI_Comm communicator) const
   for (const solid::InjuryMeasure &measure : solid::head_motion_measures(
          record_.motion, moving + ", until the end of the run"))
     list.push_back(measure);
+  solid::apply(own_, list);
   return list;
 }
 

@@ -219,6 +219,8 @@ std::vector<Assumption> ImpactPlan::plan() const
                      "Coupling/Scheme"});
   if (n_pieces > 0)
     add_file(items);
+  for (const Assumption &item : thresholds.assumptions())
+    items.push_back(item);
   return items;
 }
 

@@ -16,6 +16,7 @@ ImpactPlan AleSimulation::impact_plan() const
   plan.planes = planes_.planes();
   plan.head = estimate_head(mesh_description_, regions_, planes_);
   plan.end_time = end_time_;
+  plan.thresholds = head_.own_thresholds();
   plan.velocity = regions_.fastest_velocity();
   plan.cell_size = mesh_description_.cell_size();
   plan.computed_fraction = mesh_description_.computed_fraction();

@@ -47,17 +47,38 @@ PlannedScene::PlannedScene(dealii::ParameterHandler &prm,
   layout_.emplace(parameters_, *body_->surface());
   parameters_.fit_elements(layout_->body);
   find_body(prm);
+  require_measures();
   sides_ = find_chosen_sides(wrote, *layout_);
-  plan_ = scene_plan(parameters_, *layout_, sides_, body_mass_, has_lung());
+  plan_ =
+    scene_plan(parameters_, *layout_, sides_, body_mass_, has(Tissue::lung));
 }
 
 
-bool PlannedScene::has_lung() const
+bool PlannedScene::has(const Tissue tissue) const
 {
   const auto &parts = body_->parts();
-  return std::any_of(parts.begin(), parts.end(), [](const BodyPart &part) {
-    return part.tissue == Tissue::lung;
+  return std::any_of(parts.begin(), parts.end(), [&](const BodyPart &part) {
+    return part.tissue == tissue;
   });
+}
+
+
+void PlannedScene::require_measures() const
+{
+  std::vector<std::string> kinds;
+  const bool has_gauges = !body_->landmarks().empty();
+  if (has_gauges)
+    kinds.emplace_back("gauges");
+  if (parameters_.wants_injury() && has(Tissue::brain))
+    kinds.emplace_back("head");
+  // Else the gauges at the landmarks have the load on the chest.
+  const bool has_chest = parameters_.wants_injury() && has(Tissue::lung);
+  if (has_chest && !has_gauges)
+    kinds.emplace_back("chest");
+  std::vector<std::string> taken = injury_measures_of(kinds);
+  if (has_chest && has_gauges)
+    taken.emplace_back("injury_chest_wall_velocity_mesh");
+  parameters_.own_thresholds.require(taken, "");
 }
 
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/parameters/parameter_tree.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/coupling/scene/scene_files.h>
@@ -9,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace contrecoup::coupling
 {
@@ -55,12 +53,6 @@ namespace
   std::string text_of(const Point<3> &point)
   {
     return exact(point[0]) + ", " + exact(point[1]) + ", " + exact(point[2]);
-  }
-
-
-  std::string path_of(const Assignment &assignment)
-  {
-    return join(assignment.sections, "/") + "/" + assignment.entry;
   }
 
 
@@ -323,6 +315,17 @@ namespace
     });
   }
 
+  /// The user's own thresholds of the measures that biomechanics takes.
+  void set_thresholds(const OwnThresholds &own, Entries &entries)
+  {
+    for (const std::string &measure : own.measures())
+      if (own.criterion(measure).of != "gauges")
+        for (const auto &[entry, value] : own.entries(measure))
+          entries.set("Injury/Measure " + measure + "/" + entry,
+                      value,
+                      own.path(measure) + "/" + entry);
+  }
+
   /// Point of the skin in front of the middle of a body, which faces +x.
   dealii::Point<3> front_of(const Body &body)
   {
@@ -402,6 +405,7 @@ biomechanics_entries(const SceneParameters &scene,
   if (has_lung)
     entries.set("Injury/Chest", text_of(front_of(body)));
   entries.set("Injury/Body mass", allowed_mass(body_mass));
+  set_thresholds(scene.own_thresholds, entries);
   for (const Landmark &landmark : body.landmarks())
     if (landmark.name == "chest")
     {
@@ -417,74 +421,5 @@ biomechanics_entries(const SceneParameters &scene,
   entries.set("Output/Probes every steps", 5U);
   set_output(scene.end_time, 24, entries);
   return entries.take();
-}
-
-
-std::string scene_text(const dealii::ParameterHandler &prm,
-                       const std::vector<Assignment> &wrote)
-{
-  dealii::ParameterHandler own;
-  SceneParameters::declare_own(own);
-  std::vector<Assignment> values;
-  for (const Assignment &assignment : assignments_of(prm))
-    if (!SceneParameters::is_of_stage(assignment))
-      values.push_back(assignment);
-  apply_assignments(values, own);
-  std::string text = parameter_text(own, false);
-  const std::map<std::string, std::string> all = parameter_values(prm);
-  for (const Assignment &assignment : wrote)
-    if (SceneParameters::is_of_stage(assignment))
-    {
-      std::string end;
-      for (const std::string &section : assignment.sections)
-      {
-        text += "\nsubsection " + section;
-        end += "\nend";
-      }
-      // With the absolute names of files.
-      text += "\nset " + assignment.entry + " = " +
-              all.at(path_of(assignment)) + end + "\n";
-    }
-  return text;
-}
-
-
-TaskText
-task_text(const std::string &name,
-          const std::vector<Assignment> &entries,
-          const dealii::ParameterHandler &scene,
-          const std::vector<Assignment> &wrote,
-          const std::function<void(dealii::ParameterHandler &)> &declare,
-          const EntryChanges &changes)
-{
-  std::vector<Assignment> all = entries;
-  for (Assignment &assignment : all)
-    assignment.origin = name;
-  for (const Assignment &assignment : assignments_of(scene))
-    if (!assignment.sections.empty() && assignment.sections[0] == "Body")
-      all.push_back(assignment);
-  for (Assignment assignment : wrote)
-    if (!assignment.sections.empty() && assignment.sections[0] == name)
-    {
-      assignment.sections.erase(assignment.sections.begin());
-      all.push_back(assignment);
-    }
-  // Sections that the scene describes by a section of its own.
-  const std::map<std::string, std::string> sections = {{"Charges", "Charge"},
-                                                       {"Rigid body", "Body"}};
-  dealii::ParameterHandler prm;
-  declare(prm);
-  const SceneWords words(name, entries, sections, wrote, prm);
-  try
-  {
-    apply_assignments(all, prm);
-    if (changes)
-      apply_assignments(changes(prm), prm);
-  }
-  catch (const InputError &error)
-  {
-    throw InputError(words(error.what()));
-  }
-  return {parameter_text(prm, false), words, parameter_values(prm)};
 }
 } // namespace contrecoup::coupling

@@ -292,6 +292,8 @@ void SceneParameters::declare_own(ParameterHandler &prm)
                       "blasts that injure.");
     OwnTissues::declare_parameters(prm);
   }
+  const Section section(prm, "Injury");
+  OwnThresholds::declare_parameters(prm);
 }
 
 
@@ -301,6 +303,7 @@ void SceneParameters::parse_parameters(ParameterHandler &prm)
   parse_scene(prm);
   parse_charge(prm);
   parse_tissues(prm);
+  parse_thresholds(prm);
 }
 
 
@@ -317,6 +320,16 @@ void SceneParameters::parse_tissues(ParameterHandler &prm)
          with_unit(change.value, change.unit),
          change.before ? with_unit(*change.before, change.unit)
                        : "none, a new tissue"});
+}
+
+
+void SceneParameters::parse_thresholds(ParameterHandler &prm)
+{
+  own_thresholds.parse_parameters(prm, "Injury");
+  for (const std::string &measure : own_thresholds.measures())
+    changes.push_back({own_thresholds.path(measure) + "/Thresholds",
+                       own_thresholds.criterion(measure).in_words(),
+                       injury_criterion(measure).in_words()});
 }
 
 

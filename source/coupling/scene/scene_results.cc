@@ -229,10 +229,12 @@ namespace
 
 void print_audit(const PlannedScene &scene, const std::string &folder)
 {
-  for (const std::string &line : io::audit_lines(
-         whole_plan(scene, folder),
-         scene_audit(
-           scene.parameters(), scene.layout(), scene.has_lung(), folder)))
+  for (const std::string &line :
+       io::audit_lines(whole_plan(scene, folder),
+                       scene_audit(scene.parameters(),
+                                   scene.layout(),
+                                   scene.has(Tissue::lung),
+                                   folder)))
     log_line(line);
   const std::string warning =
     warning_of(compare_with_tables(
@@ -252,10 +254,11 @@ void write_scene(const PlannedScene &scene,
 {
   const SceneLayout &layout = scene.layout();
   const auto plan = named(whole_plan(scene, command.output_folder), tasks);
-  const auto audit = named(
-    scene_audit(
-      scene.parameters(), layout, scene.has_lung(), command.output_folder),
-    tasks);
+  const auto audit = named(scene_audit(scene.parameters(),
+                                       layout,
+                                       scene.has(Tissue::lung),
+                                       command.output_folder),
+                           tasks);
   Json json = {
     {"application", "scene"},
     {"version", version()},

@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -78,9 +79,25 @@ namespace
     criterion.source =
       data()["sources"].at(measure["source"].get<std::string>());
     criterion.limits = measure["limits"];
+    criterion.unit = measure["unit"];
+    criterion.of = measure["of"];
+    criterion.largest =
+      measure.value("largest", std::numeric_limits<double>::infinity());
     if (measure.contains("curves"))
       criterion.curves = measure["curves"].get<std::vector<std::string>>();
     return criterion;
+  }
+
+
+  const std::map<std::string, InjuryCriterion> &criteria()
+  {
+    static const std::map<std::string, InjuryCriterion> known = [] {
+      std::map<std::string, InjuryCriterion> list;
+      for (const auto &[name, measure] : data()["measures"].items())
+        list[name] = criterion_of(measure);
+      return list;
+    }();
+    return known;
   }
 
 
@@ -152,7 +169,7 @@ std::string InjuryCriterion::meaning(const double value) const
 }
 
 
-std::string InjuryCriterion::in_words(const std::string &unit) const
+std::string InjuryCriterion::in_words() const
 {
   std::vector<std::string> words;
   for (const auto &[limit, meaning] : thresholds)
@@ -165,15 +182,20 @@ std::string InjuryCriterion::in_words(const std::string &unit) const
 
 const InjuryCriterion &injury_criterion(const std::string &name)
 {
-  static const std::map<std::string, InjuryCriterion> known = [] {
-    std::map<std::string, InjuryCriterion> list;
-    for (const auto &[key, measure] : data()["measures"].items())
-      list[key] = criterion_of(measure);
-    return list;
-  }();
-  const auto found = known.find(name);
-  if (found == known.end())
+  const auto found = criteria().find(name);
+  if (found == criteria().end())
     throw InputError("there is no measure of injury \"" + name + "\"");
   return found->second;
+}
+
+
+std::vector<std::string>
+injury_measures_of(const std::vector<std::string> &kinds)
+{
+  std::vector<std::string> names;
+  for (const auto &[name, criterion] : criteria())
+    if (std::find(kinds.begin(), kinds.end(), criterion.of) != kinds.end())
+      names.push_back(name);
+  return names;
 }
 } // namespace contrecoup

@@ -23,15 +23,14 @@ namespace
   {
     const double volume = sums[0];
     list.push_back(
-      known_measure("injury_cavitating_fraction", "-", sums[3] / volume));
-    list.push_back(
-      known_measure("injury_cavitation_dose", "s", sums[4] / volume));
+      known_measure("injury_cavitating_fraction", sums[3] / volume));
+    list.push_back(known_measure("injury_cavitation_dose", sums[4] / volume));
     if (sums[6] > 0.)
-      list.push_back(known_measure(
-        "injury_pressure_roughness", "-", std::sqrt(sums[5] / sums[6])));
-    list.push_back(known_measure("injury_strain_95", "-", strain));
-    list.push_back(known_measure("injury_csdm_15", "-", sums[1] / volume));
-    list.push_back(known_measure("injury_csdm_25", "-", sums[2] / volume));
+      list.push_back(known_measure("injury_pressure_roughness",
+                                   std::sqrt(sums[5] / sums[6])));
+    list.push_back(known_measure("injury_strain_95", strain));
+    list.push_back(known_measure("injury_csdm_15", sums[1] / volume));
+    list.push_back(known_measure("injury_csdm_25", sums[2] / volume));
   }
 } // namespace
 
@@ -87,10 +86,9 @@ brain_measures(const std::vector<BrainSample> &samples,
   std::vector<InjuryMeasure> list;
   if (!(sums[0] > 0.))
     return list;
-  list.push_back(known_measure(
-    "injury_intracranial_pressure_peak", "Pa", mpi::max(peak, communicator)));
+  list.push_back(known_measure("injury_intracranial_pressure_peak",
+                               mpi::max(peak, communicator)));
   list.push_back(known_measure("injury_intracranial_pressure_lowest",
-                               "Pa",
                                mpi::min(lowest, communicator)));
   add_parts(sums, percentile(strains, volumes, 0.95, communicator), list);
   return list;
@@ -126,10 +124,9 @@ std::vector<InjuryMeasure> head_motion_measures(const HeadMotion &motion,
   for (InjuryMeasure measure :
        {known_measure(
           "injury_hic15",
-          "-",
           head_injury_criterion(velocities.times, velocities.values, 0.015)
             .value),
-        known_measure("injury_bric", "-", brain_injury_criterion(largest))})
+        known_measure("injury_bric", brain_injury_criterion(largest))})
   {
     measure.limits =
       "of " + moving + ", filtered by CFC 1000; " + measure.limits;

@@ -55,6 +55,14 @@ void ChestInjury::parse_parameters(dealii::ParameterHandler &prm)
 }
 
 
+std::vector<std::string> ChestInjury::measure_names() const
+{
+  return reports_load_
+           ? injury_measures_of({"chest"})
+           : std::vector<std::string>{"injury_chest_wall_velocity_mesh"};
+}
+
+
 void ChestInjury::record(const double time,
                          const double pressure,
                          const double wall_velocity)
@@ -71,7 +79,6 @@ std::vector<InjuryMeasure> ChestInjury::measures() const
     return {};
   std::vector<InjuryMeasure> list{known_measure(
     "injury_chest_wall_velocity_mesh",
-    "m/s",
     *std::max_element(wall_velocities_.begin(), wall_velocities_.end()))};
   if (reports_load_)
     add_load(list);
@@ -84,13 +91,12 @@ void ChestInjury::add_load(std::vector<InjuryMeasure> &list) const
   const LoadInjury injury = load_injury(times_, pressures_, mass_);
   const double velocity = injury.chest_wall_velocity;
   list.push_back(
-    known_measure("injury_chest_pressure_peak", "Pa", injury.pulse.peak));
-  list.push_back(known_measure("injury_chest_wall_velocity", "m/s", velocity));
-  list.push_back(known_measure(
-    "injury_adjusted_severity", "-", thorax_injury_index(velocity)));
+    known_measure("injury_chest_pressure_peak", injury.pulse.peak));
+  list.push_back(known_measure("injury_chest_wall_velocity", velocity));
+  list.push_back(
+    known_measure("injury_adjusted_severity", thorax_injury_index(velocity)));
   if (injury.pulse.duration > 0.)
-    list.push_back(
-      known_measure("injury_lung_exposure", "-", injury.lung_exposure));
+    list.push_back(known_measure("injury_lung_exposure", injury.lung_exposure));
 }
 
 

@@ -6,12 +6,23 @@
 
 namespace contrecoup::solid
 {
-InjuryMeasure known_measure(const std::string &name,
-                            const std::string &unit,
-                            const double value)
+InjuryMeasure known_measure(const std::string &name, const double value)
 {
   const InjuryCriterion &criterion = injury_criterion(name);
-  return {{name, unit, value}, criterion.in_words(unit), criterion.limits};
+  return {
+    {name, criterion.unit, value}, criterion.in_words(), criterion.limits};
+}
+
+
+void apply(const OwnThresholds &own, std::vector<InjuryMeasure> &measures)
+{
+  for (const std::string &name : own.measures())
+    for (InjuryMeasure &measure : measures)
+      if (measure.value.name == name)
+      {
+        measure.threshold = own.criterion(name).in_words();
+        measure.limits = OwnThresholds::limits(measure.limits);
+      }
 }
 
 

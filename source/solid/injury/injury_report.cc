@@ -73,17 +73,25 @@ void InjuryReport<Real>::declare_parameters(ParameterHandler &prm)
                   1000000,
                   "Steps between evaluations; peaks in between are missed.");
   ChestInjury::declare_parameters(prm);
+  OwnThresholds::declare_parameters(prm);
 }
 
 
 template <typename Real>
 void InjuryReport<Real>::parse_parameters(ParameterHandler &prm)
 {
+  own_.parse_parameters(prm, "Injury");
   const Section section(prm, "Injury");
   active_ = prm.get_bool("Active");
   averaged_ = prm.get("Pressure") == peak_pressure_names()[0];
   interval_ = read_unsigned(prm, "Every steps");
   chest_.parse_parameters(prm);
+  if (!active_)
+    own_.require({}, "Injury/Active = false");
+  std::vector<std::string> taken = injury_measures_of({"head"});
+  for (const std::string &name : chest_.measure_names())
+    taken.push_back(name);
+  own_.require(taken, chest_.reports_load() ? "" : "Injury/Chest load = false");
 }
 
 
@@ -268,6 +276,7 @@ InjuryReport<Real>::measures(const SolidBody<Real> &body) const
   if (has_lung(body))
     for (const InjuryMeasure &measure : chest_.measures())
       list.push_back(measure);
+  apply(own_, list);
   return list;
 }
 

@@ -60,6 +60,16 @@ void require_selections(const SolidMesh &mesh,
               "Materials/Cavitating tissues",
               selectors.materials.cavitating(),
               tissues);
+  for (const std::string &measure : selectors.thresholds.measures())
+  {
+    const InjuryCriterion criterion = selectors.thresholds.criterion(measure);
+    const Tissue tissue =
+      criterion.of == "chest" ? Tissue::lung : Tissue::brain;
+    tissues.add(selectors.thresholds.path(measure),
+                criterion.in_words(),
+                "element of " + name_of(tissue),
+                has(mesh, tissue) ? 1 : 0);
+  }
   add_tissues(mesh, "Interface/Tissues", selectors.slip.sliding(), tissues);
   add_tissues(mesh, "Interface/Against", selectors.slip.held(), tissues);
   tissues.require_some(communicator, tissues_in_words(mesh));

@@ -32,7 +32,12 @@ namespace
 template <typename Real>
 SolidSelectors SolidSimulation<Real>::selectors() const
 {
-  return {supports_, loads_, materials_, slip_, injury_.active()};
+  return {supports_,
+          loads_,
+          materials_,
+          slip_,
+          injury_.own_thresholds(),
+          injury_.active()};
 }
 
 
@@ -79,6 +84,8 @@ std::vector<Assumption> SolidSimulation<Real>::plan()
                      std::numeric_limits<double>::quiet_NaN(),
                      false,
                      "Materials/Tissue " + name_of(tissue)});
+  for (const Assumption &item : injury_.own_thresholds().assumptions())
+    items.push_back(item);
   return items;
 }
 

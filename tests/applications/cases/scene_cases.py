@@ -105,6 +105,28 @@ def require_own_tissues(case, output):
                     f"{entry} is {density} in the mesh")
 
 
+def require_own_thresholds(case, output):
+    """Thresholds among the overrides decide the verdict, as the user's own."""
+    wanted = {entry: text.replace("@SEMICOLON@", ";") for entry, _, text in (
+        text.partition("=") for text in case.options.set)
+        if entry.startswith("Injury/Measure ")}
+    for entry, text in wanted.items():
+        name = entry.split("/")[1].partition(" ")[2]
+        told = next(one for one in read_json(output, "report.json")["measures"]
+                    if one["name"] == name)
+        rows = [word.partition(":") for word in text.split(";")]
+        meanings = [""] + [meaning.strip() for value, _, meaning in rows
+                           if told["value"] > float(value)]
+        require(told["is_own"] and told["verdict"] == meanings[-1],
+                f"{entry} gives the verdict {told}")
+        require(entry in [row["entry"] for row in
+                          read_json(output, "scene.json")["changes"]],
+                f"{entry} is not among the changes")
+        require("(the user's own)" in
+                read_bytes(output, "biomechanics", "injury.csv").decode(),
+                "injury.csv has no thresholds of the user")
+
+
 def mesh_density(output, tissue):
     """Of the mesh that anatomy made [kg/m^3]."""
     path = os.path.join(output, "anatomy", "quality.csv")
@@ -139,6 +161,7 @@ def scene_run(case, check_bound, read_summary):
     require(max(masses) < 1.05 * min(masses), f"body masses are {masses} kg")
     require_charge(output)
     require_own_tissues(case, output)
+    require_own_thresholds(case, output)
     require_own_names(output)
     require_repeatable(output)
     loads = os.stat(os.path.join(output, "blast", "loads.h5")).st_mtime_ns

@@ -182,9 +182,9 @@ TEST(InjuryCriteria, AreToldInWords)
     injury_criterion("injury_intracranial_pressure_lowest");
   EXPECT_EQ(lowest.meaning(-99e3), "none");
   EXPECT_EQ(lowest.meaning(-101e3), "fluid may cavitate");
-  EXPECT_EQ(lowest.in_words("Pa").substr(0, 32),
+  EXPECT_EQ(lowest.in_words().substr(0, 32),
             "-100000 Pa: fluid may cavitate (");
-  EXPECT_EQ(injury_criterion("injury_cavitation_dose").in_words("s"),
+  EXPECT_EQ(injury_criterion("injury_cavitation_dose").in_words(),
             "no threshold (none is published)");
 }
 

@@ -6,6 +6,7 @@
 #include <contrecoup/ale/lagrange/contact_planes.h>
 #include <contrecoup/ale/mesh/region.h>
 #include <contrecoup/ale/mesh/symmetry_planes.h>
+#include <contrecoup/numerics/injury/own_thresholds.h>
 #include <contrecoup/solid/injury/brain_record.h>
 #include <contrecoup/solid/motion/mean_motion.h>
 
@@ -34,7 +35,8 @@ public:
   /**
    * Finds brain and skull. @param planes of which the first one separates the
    * side of the coup from that of the contrecoup
-   * @throws InputError if a name is unknown, or a region is no solid
+   * @throws InputError if a name is unknown, or a region is no solid, and for
+   * thresholds of a measure that is not taken of these regions
    */
   void find(const std::vector<Region> &regions,
             const std::vector<ContactPlane> &planes);
@@ -47,6 +49,12 @@ public:
   bool active() const
   {
     return brain_ != none || skull_ != none;
+  }
+
+  /// Thresholds that are not the published ones.
+  const OwnThresholds &own_thresholds() const
+  {
+    return own_;
   }
 
   /// Measures recorded so far. Collective.
@@ -124,6 +132,7 @@ private:
     double time = 0.;     ///< [s]
   };
 
+  OwnThresholds own_;
   std::string brain_name_, skull_name_;
   bool averaged_ = true; ///< pressures, over neighbours
   unsigned int interval_ = 10;

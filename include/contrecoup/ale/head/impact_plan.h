@@ -5,6 +5,7 @@
 
 #include <contrecoup/ale/head/head_estimate.h>
 #include <contrecoup/base/run/simulation.h>
+#include <contrecoup/numerics/injury/own_thresholds.h>
 
 #include <vector>
 
@@ -32,6 +33,7 @@ namespace contrecoup::ale
  *   mesh              of a file: smallest scaled Jacobian
  *   pieces            of a file: face-connected sets of cells; the run has no
  *                     contact between them
+ *   own_MEASURE       the user's own thresholds of a measure of injury
  */
 struct ImpactPlan
 {
@@ -52,6 +54,7 @@ struct ImpactPlan
   double scaled_jacobian = 1.; ///< the smallest
   bool has_body_force = false;
   std::string coupling; ///< partitioned scheme; empty: monolithic
+  OwnThresholds thresholds;
 
   /// Results of a run.
   struct ImpactResults

@@ -41,8 +41,8 @@ public:
     return *body_;
   }
 
-  /// Whether a part of the body is lung.
-  bool has_lung() const;
+  /// Whether a part of the body is of this tissue.
+  bool has(Tissue tissue) const;
 
   /// Mass of the body [kg].
   double body_mass() const
@@ -84,6 +84,8 @@ private:
   /// Computes the mass of the body and, if injury is asked for, the probes in
   /// tissues.
   void find_body(dealii::ParameterHandler &prm);
+  /// @throws InputError for thresholds of a measure that this scene has not
+  void require_measures() const;
 
   SceneParameters parameters_;
   BodyDescription description_;

@@ -7,6 +7,7 @@
 #include <contrecoup/materials/explosives.h>
 #include <contrecoup/materials/own_tissues.h>
 #include <contrecoup/numerics/injury/incident_wave.h>
+#include <contrecoup/numerics/injury/own_thresholds.h>
 
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/base/parameter_handler.h>
@@ -45,7 +46,7 @@ struct SceneParameters
   /// All presets, finest last.
   static const std::vector<Accuracy> accuracies;
 
-  /// Declares subsections "Scene", "Charge", "Body" and "Tissues", and
+  /// Declares subsections "Scene", "Charge", "Body", "Tissues", "Injury", and
   /// subsections "Anatomy", "Blast" and "Biomechanics" with all entries of
   /// these applications.
   static void declare_parameters(dealii::ParameterHandler &prm);
@@ -59,8 +60,8 @@ struct SceneParameters
   /// Whether an entry is one of an application.
   static bool is_of_stage(const Assignment &assignment);
 
-  /// Reads "Scene", "Charge" and "Tissues"; call this before names of tissues
-  /// are read elsewhere: new ones become known.
+  /// Reads "Scene", "Charge", "Tissues" and "Injury"; call this before names of
+  /// tissues are read elsewhere: new ones become known.
   /// @throws InputError for a charge without a position and for an explosive
   /// that is not known or cannot be computed with; for tissues likewise
   void parse_parameters(dealii::ParameterHandler &prm);
@@ -107,15 +108,18 @@ struct SceneParameters
   double height = 0.;   ///< of the charge's centre above the ground [m]
   /// Position of the charge's centre instead [m]
   std::optional<dealii::Point<3>> place;
-  std::string tissues;    ///< set in the tissue library
-  OwnTissues own_tissues; ///< new ones and changes of those of the set
-  /// Values of explosive and tissues that are not those of the libraries.
+  std::string tissues;          ///< set in the tissue library
+  OwnTissues own_tissues;       ///< new ones and changes of those of the set
+  OwnThresholds own_thresholds; ///< of injuries
+  /// Values of explosive, tissues and thresholds that are not those of the
+  /// libraries.
   std::vector<ChangedEntry> changes;
 
 private:
   void parse_scene(dealii::ParameterHandler &prm);
   void parse_charge(dealii::ParameterHandler &prm);
   void parse_tissues(dealii::ParameterHandler &prm);
+  void parse_thresholds(dealii::ParameterHandler &prm);
   /// Reads entry and subsection of the explosive.
   void parse_explosive(dealii::ParameterHandler &prm);
 };

@@ -49,16 +49,25 @@ struct InjuryCriterion
   std::string source;              ///< publication
   std::string limits;              ///< of validity
   std::vector<std::string> curves; ///< names of probabilities by this measure
+  std::string unit;                ///< of the measure; "-" for none
+  /// What is measured: head, chest, loads at gauges, people in the air, or a
+  /// check of the numerics.
+  std::string of;
+  double largest; ///< of the measure: 1 for fractions, else infinity
 
   /// The worst threshold that @p value exceeds in words; "none" below all.
   /// Negative limits are exceeded by lower values.
   std::string meaning(const double value) const;
 
-  /// Thresholds in @p unit and their source, as a line of text.
-  std::string in_words(const std::string &unit) const;
+  /// Thresholds and their source, as a line of text.
+  std::string in_words() const;
 };
 
 /// What is known of the measure of that name, see injury_criteria.json.
 /// @throws InputError for an unknown name
 const InjuryCriterion &injury_criterion(const std::string &name);
+
+/// Names of all measures of these kinds, see InjuryCriterion::of.
+std::vector<std::string>
+injury_measures_of(const std::vector<std::string> &kinds);
 } // namespace contrecoup

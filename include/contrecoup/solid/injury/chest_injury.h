@@ -38,6 +38,15 @@ public:
     return radius_;
   }
 
+  /// Whether injuries by the load on the chest are reported.
+  bool reports_load() const
+  {
+    return reports_load_;
+  }
+
+  /// Names of the measures.
+  std::vector<std::string> measure_names() const;
+
   /// Records overpressure [Pa] and inward velocity of the chest wall [m/s] at
   /// a time [s]; times must increase.
   void

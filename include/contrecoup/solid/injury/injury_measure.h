@@ -4,13 +4,14 @@
 #pragma once
 
 #include <contrecoup/base/run/simulation.h>
+#include <contrecoup/numerics/injury/own_thresholds.h>
 
 #include <string>
 #include <vector>
 
 namespace contrecoup::solid
 {
-/// An injury measure with its threshold from the literature.
+/// An injury measure with its threshold, of the literature or of the user.
 struct InjuryMeasure
 {
   NamedValue value;
@@ -19,9 +20,10 @@ struct InjuryMeasure
 };
 
 /// A measure with what injury_criterion() knows of its name.
-InjuryMeasure known_measure(const std::string &name,
-                            const std::string &unit,
-                            const double value);
+InjuryMeasure known_measure(const std::string &name, double value);
+
+/// Replaces the published thresholds of @p measures by the user's own.
+void apply(const OwnThresholds &own, std::vector<InjuryMeasure> &measures);
 
 /// The probabilities of injury_criterion() by a measure, as measures
 /// "injury_CURVE"; empty for most.

@@ -32,6 +32,12 @@ public:
     return active_;
   }
 
+  /// Thresholds that are not the published ones.
+  const OwnThresholds &own_thresholds() const
+  {
+    return own_;
+  }
+
   /// @p body must outlive this. @throws InputError if the body has a lung but
   /// no surface near the chest
   void reinit(const SolidBody<Real> &body);
@@ -64,6 +70,7 @@ private:
   bool active_ = false;
   bool averaged_ = true; ///< pressures, over neighbours
   unsigned int interval_ = 10;
+  OwnThresholds own_;
   ChestInjury chest_;
   SurfacePatch chest_wall_;
   /// index of the tissue; number of tissues if there is none

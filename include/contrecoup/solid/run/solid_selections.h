@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <contrecoup/numerics/injury/own_thresholds.h>
 #include <contrecoup/solid/body/solid_materials.h>
 #include <contrecoup/solid/boundary/slip_ties.h>
 #include <contrecoup/solid/boundary/supports.h>
@@ -17,11 +18,13 @@ struct SolidSelectors
   const SurfaceLoads &loads;
   const SolidMaterials &materials;
   const SlipTies &slip;
+  const OwnThresholds &thresholds;
   bool reports_injury; ///< of brain and chest
 };
 
 /// Requires that each support, load and tissue that an entry names is in the
-/// mesh, and a brain or a lung if injuries are to be reported. Collective.
+/// mesh, the tissue of each measure of injury whose thresholds are given, and a
+/// brain or a lung if injuries are to be reported. Collective.
 /// @throws InputError on all ranks that names the first entry without any
 void require_selections(const SolidMesh &mesh,
                         const SolidSelectors &selectors,
