@@ -215,6 +215,34 @@ TEST(SceneFiles, LoadBothSidesOfASymmetricBody)
 }
 
 
+// In front, aside, behind and above, also where the body is wider than far.
+TEST(SceneFiles, PutTheProbeAsFarFromTheChargeAsTheBodyIsAndBesideIt)
+{
+  for (const Point<3> &charge : {Point<3>(2.487, 0., 1.27),
+                                 Point<3>(0.68, 0., 1.2),
+                                 Point<3>(-1., 0.2, 1.2),
+                                 Point<3>(0., -1., 1.2),
+                                 Point<3>(0., 0.8, 1.2),
+                                 Point<3>(0., 0., 2.4)})
+  {
+    SceneParameters scene = scene_with(2.337, 1.27);
+    scene.mass = 0.1;
+    scene.end_time = 0.01;
+    scene.place = charge;
+    const SceneLayout layout(scene, standing_box());
+    SCOPED_TRACE(testing::Message() << charge);
+    ASSERT_TRUE(layout.probe);
+    EXPECT_NEAR(layout.probe->distance(charge), layout.distance, 1e-9);
+    EXPECT_GT(standing_box().value(*layout.probe), 0.3);
+    for (unsigned int d = 0; d < 3; ++d)
+    {
+      EXPECT_GT((*layout.probe)[d], layout.lower[d]);
+      EXPECT_LT((*layout.probe)[d], layout.upper[d]);
+    }
+  }
+}
+
+
 TEST(SceneFiles, GiveShortPositivePhasesFinerCells)
 {
   SceneParameters scene = scene_with(2.337, 1.27);

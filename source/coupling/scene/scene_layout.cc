@@ -8,6 +8,7 @@
 
 #include <boost/math/constants/constants.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -239,9 +240,12 @@ void SceneLayout::place_probe()
   constexpr double gap = 0.35; // [m]
   if (distance <= body.side_length(1))
     return;
-  const double aside = body.upper_bound(1) + gap - charge[1];
-  const double along =
-    std::sqrt(std::max(0., distance * distance - aside * aside));
+  // On the charge's side of the body, no farther from the charge than the body.
+  const double beside = charge[1] < body.lower_bound(1)
+                          ? body.lower_bound(1) - gap
+                          : body.upper_bound(1) + gap;
+  const double aside = std::clamp(beside - charge[1], -distance, distance);
+  const double along = std::sqrt(distance * distance - aside * aside);
   const double toward = body.center()[0] < charge[0] ? -1. : 1.;
   probe = charge + Point<3>(toward * along, aside, 0.);
 }
