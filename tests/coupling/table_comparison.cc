@@ -10,6 +10,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <map>
 
 using namespace contrecoup;
 using namespace contrecoup::coupling;
@@ -105,6 +106,66 @@ TEST(TableComparison, SaysWhereTheEquivalenceIsAnEstimate)
             std::string::npos)
     << warning;
   EXPECT_EQ(warning.find("numerical error"), std::string::npos) << warning;
+}
+
+
+// Two runs can agree by chance, and errors of peak and duration cancel in the
+// load.
+TEST(TableComparison, HasErrorsOfAtLeastTwoPerCentAndThoseOfThePeak)
+{
+  const SceneParameters tnt = scene_of("tnt", 3.);
+  const SceneLayout layout = layout_of(tnt);
+  const auto tables = table_answer(tnt, layout, 70.);
+  const io::TemporaryFolder folder;
+  write_blast(folder.path() + "/blast", *tables, 0.9);
+  const auto errors = [&]() {
+    std::map<std::string, double> found;
+    for (const ComparedQuantity &one :
+         compare_with_tables(tnt, layout, 70., folder.path()))
+      found[one.name] = one.run_error;
+    return found;
+  };
+  EXPECT_TRUE(std::isnan(errors().at("peak_overpressure")));
+  write_blast(folder.path() + "/coarser_blast", *tables, 0.9);
+  EXPECT_EQ(errors().at("impulse"), 0.02);
+  EXPECT_TRUE(std::isnan(errors().at("lung_lethality")));
+  // Of the coarser run the peak alone is another one.
+  std::filesystem::copy(folder.path() + "/blast/probe_injury.csv",
+                        folder.path() + "/probe_injury.csv");
+  write_blast(folder.path() + "/coarser_blast", *tables, 0.8);
+  std::filesystem::rename(folder.path() + "/probe_injury.csv",
+                          folder.path() + "/coarser_blast/probe_injury.csv");
+  EXPECT_GT(errors().at("peak_overpressure"), 0.1);
+  EXPECT_EQ(errors().at("lung_exposure"), errors().at("peak_overpressure"));
+}
+
+
+// Of probabilities, what reads the same is the same.
+TEST(TableComparison, DoesNotTellProbabilitiesApartThatReadTheSame)
+{
+  const SceneParameters tnt = scene_of("tnt", 3.);
+  const SceneLayout layout = layout_of(tnt);
+  auto tables = table_answer(tnt, layout, 70.);
+  const io::TemporaryFolder folder;
+  write_blast(folder.path() + "/blast", *tables, 0.6);
+  for (const auto &[probability, expected] :
+       {std::pair{"0.25", true}, std::pair{"1e-50", false}})
+  {
+    std::ofstream(folder.path() + "/blast/probe_injury.csv")
+      << "measure,place,value,unit,definition\nlung_exposure,probe 1,"
+      << 0.6 * tables->in_the_open.lung_exposure
+      << ",-,\"\"\nlung_lethality,probe 1," << probability << ",-,\"\"\n";
+    for (const ComparedQuantity &one :
+         compare_with_tables(tnt, layout, 70., folder.path()))
+      if (one.name == "lung_exposure")
+      {
+        EXPECT_TRUE(one.differs);
+      }
+      else if (one.name == "lung_lethality")
+      {
+        EXPECT_EQ(one.differs, expected) << one.run << " " << one.tables;
+      }
+  }
 }
 
 

@@ -16,7 +16,8 @@ struct ComparedQuantity
   std::string name; ///< as in the blast's results and in probe_injury.csv
   std::string unit;
   double run;
-  /// Numerical error of the run by its coarser run [-]; NaN: unknown.
+  /// Numerical error of the run by its coarser run [-]; NaN: unknown, as for
+  /// probabilities.
   double run_error;
   double tables;
   /// Error of the tables with this TNT equivalence [-].
