@@ -111,6 +111,16 @@ TEST(Plan, WarnsBeyondLimitsAlone)
   EXPECT_TRUE(audit_lines({}, {}).empty());
 }
 
+// The same value twice would be the same warning twice.
+TEST(Plan, WarnsOnceOfAValueThatItKnewBefore)
+{
+  const std::vector<Assumption> plan{item(3., false)};
+  EXPECT_TRUE(warns(plan_lines(plan)));
+  EXPECT_FALSE(warns(audit_lines(plan, {item(3.0001, false)})));
+  EXPECT_TRUE(warns(audit_lines(plan, {item(3.1, false)})));
+  EXPECT_TRUE(warns(audit_lines({item(1., false)}, {item(3., false)})));
+}
+
 TEST(Plan, NamesEstimateMeasurementAndEntry)
 {
   const auto lines = audit_lines({item(1.25, false)}, {item(7.5, false)});

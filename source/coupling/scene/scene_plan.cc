@@ -170,7 +170,7 @@ namespace
       scene.accuracy.name == SceneParameters::accuracies.back().name;
     return {"resolution",
             "cells of " + brief(1e3 * layout.cell_size()) + " mm at the skin",
-            "cells for the positive phase at the body",
+            "number of cells in the positive phase at the body",
             "-",
             layout.cells_per_phase(),
             least_cells,

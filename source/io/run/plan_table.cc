@@ -72,6 +72,13 @@ namespace io
               told(cost.output, bytes(cost.output))};
     }
 
+    /// Whether the plan has warned of the same value.
+    bool is_known(const Assumption *planned, const Assumption &item)
+    {
+      return planned != nullptr && planned->fails() &&
+             number(planned->value, item.unit) == number(item.value, item.unit);
+    }
+
     std::string warning(const Assumption &item, const std::string &kind)
     {
       return "WARNING: " + item.name + ": " + item.quantity + " is " + kind +
@@ -148,7 +155,7 @@ namespace io
     }
     std::vector<std::string> lines = aligned(rows);
     for (const Assumption &item : audit)
-      if (item.fails())
+      if (item.fails() && !is_known(find_assumption(plan, item.name), item))
         lines.push_back(warning(item, "measured at"));
     return lines;
   }
