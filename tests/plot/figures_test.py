@@ -28,7 +28,8 @@ CHECKS = (report_figures.check_facts, report_figures.check_injury,
           report_figures.check_summary_file,
           report_figures.check_conservation, report_figures.check_free_air,
           report_figures.check_audit, report_figures.check_differences,
-          report_figures.check_mesh, report_figures.check_cost)
+          report_figures.check_energy, report_figures.check_mesh,
+          report_figures.check_cost)
 
 
 def other_digit(text, number):
@@ -60,7 +61,7 @@ class FiguresTest(unittest.TestCase):
         return sum(check(page, self.files) for check in CHECKS)
 
     def test_accepts(self):
-        self.assertEqual(self.judge(self.page), 197)
+        self.assertEqual(self.judge(self.page), 211)
 
     def rejects_each(self, pattern, least, until=""):
         """Every number in what a pattern's group matches before a text."""
@@ -99,6 +100,15 @@ class FiguresTest(unittest.TestCase):
     def test_rejects_differences(self):
         self.rejects_each('data-label="(?:coarser run|this run|estimated error)"'
                           '>([^<]*?)</td>', 20)
+
+    def test_rejects_energies(self):
+        self.rejects_each('data-label="value">([^<]*\u00a0J)</td>', 5)
+
+    def test_misses_an_energy(self):
+        """Rows that do not add up."""
+        row = re.search("<tr><td[^>]*>gained as the step.*?</tr>", self.page)[0]
+        with self.assertRaisesRegex(AssertionError, "are in no row"):
+            self.judge(self.page.replace(row, ""))
 
     def test_numbers(self):
         for text, value, half in (

@@ -51,7 +51,7 @@ AUDIT = (
      "largest rise of the incident impulse by afterburn", "0.317", "0.317", "",
      None, "Charge/Afterburn energy"),
     ("resolution", "cells of 20 mm at the skin",
-     "cells for the positive phase at the body", "11.9", "12.3", "at least 15",
+     "number of cells in the positive phase at the body", "11.9", "12.3", "at least 15",
      False, "Scene/Accuracy"),
     ("quiet_leaves", "not computed", "fraction of skipped updates", "unknown",
      "0.47", "", True, "Blast/Method/Skip quiet leaves"))
@@ -265,6 +265,8 @@ def write_history(folder, tissues):
         "step": np.arange(len(TIMES)), "time [s]": TIMES,
         "external_work [J]": work, "kinetic_energy [J]": 0.7 * work,
         "stored_energy [J]": 0.3 * work, "energy_residual [J]": 0. * work,
+        "step_change_energy [J]": 0.01 * work,
+        "pressure_smoothing_energy [J]": 0.01 * work,
         **{f"internal_energy_{tissue.replace(' ', '_')} [J]":
            0.1 * work / number for number, tissue in enumerate(tissues, 1)}})
 

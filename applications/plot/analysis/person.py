@@ -5,8 +5,8 @@
 import numpy as np
 
 # By the side of the person that is turned to the charge: where the charge is.
-WHERE = {"front": "in front of", "left side": "on the left of",
-         "back": "behind", "right side": "on the right of",
+WHERE = {"front": "in front of", "left side": "to the left of",
+         "back": "behind", "right side": "to the right of",
          "head": "beyond the head of", "feet": "beyond the feet of"}
 
 

@@ -172,23 +172,26 @@ def _checks(scene):
     mean = found("checks", "loads_mean_distance")
     if None not in (unmatched, largest, mean):
         items.append(
-            f"Loads: {page.number(unmatched)} facets of the body have no "
-            "recorded facet; the others are "
+            "Loads: facets of the body without a recorded facet: "
+            f"{page.count(unmatched)}; the others are "
             f"{page.number(1e3 * mean)} mm from theirs on average, "
             f"{page.number(1e3 * largest)} mm at most.")
-    impulses = load_impulses.largest(scene)
+    impulses = load_impulses.along(scene)
     if impulses is not None:
-        axis, recorded, mapped = impulses
+        recorded, mapped = impulses
+        change = mapped / recorded - 1.
         factor = found("checks", "loads_impulse_factor")
         mended = "" if factor is None else (
-            "; pressures are as recorded, since the impulses differ by too "
-            "much for one factor on all of them" if factor == 1. else
             ", after all pressures were multiplied by "
-            f"{page.number(factor)} so that the impulses agree")
+            f"{page.number(factor)} so that the impulses agree"
+            if factor != 1. else "; pressures are as recorded" + (
+                ", since the impulses differ by too much for one factor on all "
+                "of them" if abs(change) >= load_impulses.LARGEST_CORRECTION
+                else ""))
         items.append(
-            f"Impulse along {axis}: {page.quantity(recorded, 'N s')} recorded on "
-            f"the whole body, {page.quantity(mapped, 'N s')} on the elements "
-            f"({page.number(100. * (mapped / recorded - 1.), 2)} %){mended}.")
+            f"Impulse: {page.quantity(recorded, 'N s')} recorded on the whole "
+            f"body, {page.quantity(mapped, 'N s')} along it on the elements "
+            f"({page.number(100. * change, 2)} %){mended}.")
     loss = scene.blast.found("checks", "loads_sampled_peak_loss")
     if loss is not None:
         items.append("Recording: samples miss at most "

@@ -28,13 +28,18 @@ PEAKS = (("highest_pressure", "maximum pressure", "Pa", True),
          ("lowest_pressure", "minimum pressure", "Pa", True),
          ("largest_von_mises_stress", "largest von Mises stress", "Pa", False),
          ("largest_principal_strain", "largest principal strain", "-", False))
+# The first three are what the others add up to.
 ENERGIES = (("external_work", "work of the loads"),
+            ("interface_work", "work of sliding interfaces"),
+            ("step_change_energy", "gained as the step size varies"),
             ("kinetic_energy", "kinetic energy"),
             ("stored_energy", "elastic energy"),
             ("relaxation_energy", "lost by relaxation"),
             ("bulk_viscosity_energy", "lost by bulk viscosity"),
             ("hourglass_energy", "hourglass energy"),
             ("hourglass_damping_energy", "lost by hourglass damping"),
+            ("pressure_smoothing_energy", "stored and lost by pressure smoothing"),
+            ("contact_energy", "in the contact with the ground"),
             ("energy_residual", "missing energy"))
 
 
@@ -313,8 +318,8 @@ def energy(scene):
                  f"{page.quantity(work, 'J')} at the end, as the largest "
                  "curve; and of its internal energy by tissue.",
                  "Energy of the whole body by kind, and its internal energy "
-                 "by tissue. The work of the loads must be the sum of all "
-                 "other energies; the missing energy is drawn as well.",
+                 "by tissue. The work and what is gained must be the sum of "
+                 "all other energies; the missing energy is drawn as well.",
                  "svg")]
     return parts
 

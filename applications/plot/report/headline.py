@@ -8,7 +8,8 @@ import re
 from plot.analysis import person, signals
 from plot.readers import files
 from plot.readers.scene import COARSER
-from plot.report import injury_table, load_impulses, page, verdict
+from plot.report import (injury_table, load_impulses, page, reflections,
+                         verdict)
 from plot.report.energy_audit import EnergyAudit
 from plot.report.injury_thresholds import KNOWN
 
@@ -16,8 +17,7 @@ LARGE_LOAD_DIFFERENCE = 0.02  # of impulses on skin and elements
 LONG_ENOUGH = 0.01  # s, until the largest strains that a front causes
 # Of items of the audit, for readers who do not know the plan.
 WORDS = {"reflection": "arrival of a wave reflected by an open side of the "
-         "domain",
-         "resolution": "number of cells in the positive phase at the body"}
+         "domain"}
 # Quantities of the comparison with the tables.
 COMPARED = {"peak_overpressure": "incident peak overpressure",
             "impulse": "impulse", "duration": "duration",
@@ -39,12 +39,13 @@ class Lead:
         self.warnings = scene.warnings()
         self.compared = _compared(scene)
         self.equivalence = _equivalence(scene)
+        self.reflectors = reflections.reflectors(scene)
 
     def lines(self):
         """The text version, a few lines."""
         more = len(self.reservations) - MOST_LINES
         return [self.sentence, *self.reservations[:MOST_LINES]] + (
-            [f"The report has {page.count_in_words(more)} more reservations."]
+            [f"The report has {page.counted(more, 'more reservation')}."]
             if more > 0 else []) + (
             [f"Warnings of the runs: {len(self.warnings)}, listed in the "
              "report."] if self.warnings else [])
@@ -57,15 +58,23 @@ class Lead:
     def tables(self):
         """This run beside the tables of Kingery and Bulmash."""
         if not self.compared:
-            return page.missing("an answer of the tables, which do not reach "
-                                "this charge and distance, or a probe beside "
-                                "the body")
+            return page.missing("an answer of the tables of Kingery and "
+                                "Bulmash, which do not cover this charge and "
+                                "distance")
+        caption = ("Tables: Kingery and Bulmash for a bare charge in free air"
+                   f"{self.equivalence}, without ground, afterburn and body. ")
+        if len(self.compared[0]) == 2:
+            return page.table(
+                ("in the open, as far as the body", "tables"), self.compared,
+                caption + "No probe beside the body has the wave of this run "
+                "at that distance.", numbers=(1,))
         return page.table(
             ("beside the body, in the open", "this run", "tables"),
-            self.compared, "Tables: Kingery and Bulmash for a bare charge in "
-            f"free air{self.equivalence}, without ground, afterburn and body. "
-            "±: errors of the numerics and of the tables; what differs by "
-            "more is marked.", numbers=(1, 2))
+            self.compared, caption + "±: errors of the numerics and of the "
+            "tables; what differs by more is marked. Reflections by "
+            f"{self.reflectors} add to impulse and duration of this run and to "
+            "what follows from them: what they may have raised above the "
+            "tables is not marked.", numbers=(1, 2))
 
     def doubts(self):
         """What could change the verdict, and the warnings."""
@@ -92,14 +101,14 @@ def _opening(scene):
     mass, place = scene.charge_mass(), scene.charge_place()
     body = f"{person.place_of_charge(scene)} {person.words(scene)}"
     charge = "The charge" if mass is None else (
-        f"{page.quantity(mass, 'kg')} of {scene.explosive_name()}")
+        f"{page.given(mass, 'kg')} of {scene.explosive_name()}")
     distance, height = scene.fact("distance"), scene.fact("height")
     where = body if distance is None else \
-        f"{page.number(distance)} m {body}"
+        f"{page.given(distance, 'm')} {body}"
     if height is None and place is not None:
         height = float(place[2])
     if height is not None:
-        where += f", {page.number(height)} m above the ground"
+        where += f", {page.given(height, 'm')} above the ground"
     return f"{charge} detonates {where}."
 
 
@@ -117,21 +126,36 @@ def _equivalence(scene):
 
 
 def _compared(scene):
-    """Rows of this run beside the tables."""
-    rows = []
-    for row in scene.list_of("table_comparison"):
+    """Rows of this run beside the tables; of the tables alone where no probe is
+    as far from the charge as the body."""
+    rows, compared = [], scene.list_of("table_comparison")
+    for row in compared or _answer_rows(scene):
         name, unit = str(row.get("name")), row.get("unit") or "-"
         is_chance = name in CHANCES
         cells = [_with_error(row.get(key), unit, is_chance,
                              row.get(f"{key}_error"))
-                 for key in ("run", "tables")]
+                 for key in (("run", "tables") if compared else ("tables",))]
         wall = scene.table_answer(name)[1]
         if is_chance and wall is not None:
-            cells[1] += f" ({page.chance(wall)} before a wall)"
+            cells[-1] += f" ({page.chance(wall)} before a wall)"
         if row.get("differs"):
-            cells[1] = page.tag("span", cells[1], kind="mid")
+            cells[-1] = page.tag("span", cells[-1], kind="mid")
         rows.append((COMPARED.get(name, name.replace("_", " ")), *cells))
     return rows
+
+
+def _answer_rows(scene):
+    """Rows as those of table_comparison, with the answer of the tables."""
+    answer = (scene.facts.get("tables") or {}).get("answer") or {}
+    in_the_open = answer.get("in_the_open") or {}
+    known = {"peak_overpressure": (in_the_open.get("overpressure"), "Pa"),
+             "impulse": (answer.get("impulse"), "Pa s"),
+             "duration": (answer.get("duration"), "s"),
+             "arrival": (answer.get("arrival"), "s"),
+             **{name: (in_the_open.get(name), "-")
+                for name in ("lung_exposure", *CHANCES)}}
+    return [{"name": name, "tables": value, "unit": unit}
+            for name, (value, unit) in known.items() if value is not None]
 
 
 def _with_error(value, unit, is_chance, error):
@@ -159,7 +183,7 @@ def _certainty(scene, judged):
             entry.name in ("injury_strain_95", "injury_hic15")
             for entry in judged):
         parts.append(
-            f"The run ends after {page.milliseconds(end)}, while brain strain "
+            f"The run ends after {page.given(1e3 * end, 'ms')}, while brain strain "
             "and head motion still grow: their values are lower limits.")
     failed = [stage.get("name") for stage in scene.list_of("stages")
               if stage.get("status") == "failed"
@@ -219,7 +243,7 @@ def _verdicts(judged):
     open_ones = [entry for entry in known if not entry.is_certain()]
     return ["Numerical error could change "
             + (page.count_in_words(len(open_ones)) if open_ones else "none")
-            + f" of {page.count_in_words(len(known))} verdicts"
+            + f" of {page.counted(len(known), 'verdict')}"
             + (": " + page.joined(entry.short_title() for entry in open_ones)
                if open_ones else "") + "."]
 
@@ -259,14 +283,14 @@ def _fraction(row):
 
 def _loads(scene):
     """A large difference of the impulse on the elements to the recorded one."""
-    found = load_impulses.largest(scene)
+    found = load_impulses.along(scene)
     if found is None:
         return []
-    axis, recorded, mapped = found
+    recorded, mapped = found
     if abs(mapped / recorded - 1.) <= LARGE_LOAD_DIFFERENCE:
         return []
-    return [f"The elements get {page.percent(mapped / recorded, 3)} of the "
-            f"impulse that was recorded on the skin along {axis}."]
+    return [f"The elements get {page.percent(mapped / recorded, 4)} of the "
+            "impulse that was recorded on the skin."]
 
 
 def _limits(scene):

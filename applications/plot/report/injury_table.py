@@ -62,9 +62,11 @@ class Judged:
         if curve or self.curve:
             return tuple(injury_thresholds.probability(curve or self.curve,
                                                        end) for end in ends)
-        if self.is_fraction:
-            ends = [min(max(end, 0.), 1.) for end in ends]
-        return tuple(sorted(ends))
+        # No measure changes its sign: all begin at zero.
+        low, high = (0. if self.value >= 0. else -math.inf,
+                     0. if self.value < 0. else
+                     1. if self.is_fraction else math.inf)
+        return tuple(sorted(min(max(end, low), high) for end in ends))
 
     def chances(self):
         """Events by this measure, their probabilities and the bounds of

@@ -261,6 +261,20 @@ def count_in_words(value):
     return WORDS[value] if value < len(WORDS) else str(value)
 
 
+def counted(value, noun):
+    """A small number in words with its noun: "one verdict", "two verdicts"."""
+    return f"{count_in_words(value)} {noun}" + ("" if value == 1 else "s")
+
+
+def given(value, unit, digits=4):
+    """A value as its entry has it: without zeros at the end that nobody wrote,
+    in its own unit."""
+    mantissa, times, power = number(value, digits).partition("·")
+    if "." in mantissa:
+        mantissa = mantissa.rstrip("0").rstrip(".")
+    return Rounded(f"{mantissa}{times}{power}\u00a0{unit}", value, unit)
+
+
 def plain(value, unit):
     """A round number, as a limit, with its unit: 3.6 m/s, 173 kPa."""
     factor, shown = style.scale_unit(unit, abs(value))

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Contrecoup authors
-"""What reflects the blast wave to the probe beside the body."""
+"""What reflects the blast wave to the body and to the probe beside it."""
 
 import math
 
@@ -11,15 +11,20 @@ def reflectors(scene):
     return "the body" if _ground_is_late(scene) else "ground and body"
 
 
+def is_late(charge, place, arrival, time):
+    """Whether the ground's reflection comes to a place after a time, even with
+    the mean speed of the direct wave until its arrival, which is faster than
+    any later part of its path."""
+    direct = math.dist(charge, place)
+    mirrored = math.hypot(*(charge - place)[:2], charge[2] + place[2])
+    return arrival * mirrored / max(direct, 1e-300) > time
+
+
 def _ground_is_late(scene):
-    """Whether the ground's reflection arrives after the positive phase, even
-    with the mean speed of the direct wave, which is faster than any later
-    part of its path."""
+    """Whether it comes to the probe after the positive phase."""
     charge, probe = scene.charge_place(), scene.probe_place(1)
     arrival, duration = (scene.blast.found("results", "probe_1_" + name)
                          for name in ("arrival", "duration"))
     if charge is None or probe is None or not arrival or not duration:
         return False
-    direct = math.dist(charge, probe)
-    mirrored = math.hypot(*(charge - probe)[:2], charge[2] + probe[2])
-    return arrival * mirrored / max(direct, 1e-300) > arrival + duration
+    return is_late(charge, probe, arrival, arrival + duration)

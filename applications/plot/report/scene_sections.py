@@ -11,7 +11,7 @@ from matplotlib.patches import Circle
 from plot.analysis import person, signals, tissue_places
 from plot.readers import files
 from plot.figures import body_views, style
-from plot.report import page
+from plot.report import page, reflections
 
 # kg/m^3, for the size of the charge on the drawing.
 EXPLOSIVE_DENSITY = {"tnt": 1630., "c-4": 1601., "petn": 1770.}
@@ -31,8 +31,7 @@ def facts(scene):
     mass, place = scene.charge_mass(), scene.charge_place()
     if mass is not None:
         add("charge", page.Rounded(
-            f"{page.quantity(mass, 'kg', 4)} of {scene.explosive_name()}",
-            mass, f"kg of {scene.explosive_name()}"))
+            f"{page.given(mass, 'kg')} of {scene.explosive_name()}", mass, f"kg of {scene.explosive_name()}"))
     if place is not None:
         shown = page.point(place)
         add("centre of the charge",
@@ -40,10 +39,10 @@ def facts(scene):
     for name, key, unit in (("distance to the body", "distance", "m"),
                             ("height above ground", "height", "m")):
         if scene.fact(key) is not None:
-            add(name, page.quantity(scene.fact(key), unit, 4))
+            add(name, page.given(scene.fact(key), unit))
     along = scene.fact("distance_along_x")
     if along is not None:
-        add("distance to the skin along x", page.quantity(along, "m", 4))
+        add("distance to the skin along x", page.given(along, "m"))
     add("body", scene.facts.get("body"))
     add("person", person.words(scene))
     if person.place_of_charge(scene) != "from":
@@ -57,7 +56,9 @@ def facts(scene):
     add("plane of symmetry", f"{symmetry} = 0" if symmetry in ("x", "y", "z")
         else symmetry)
     if scene.fact("end_time") is not None:
-        add("end of the run", page.milliseconds(scene.fact("end_time")))
+        add("end of the run", page.Rounded(
+            page.given(1e3 * scene.fact("end_time"), "ms"),
+            scene.fact("end_time"), "s"))
     add("question", scene.facts.get("question"))
     add("accuracy", scene.facts.get("accuracy"))
     if scene.cell_size():
@@ -68,7 +69,7 @@ def facts(scene):
 
 
 def _millimetres(size):
-    return page.Rounded(f"{page.number(1e3 * size)} mm", size, "m")
+    return page.Rounded(page.given(1e3 * size, "mm"), size, "m")
 
 
 def section(scene):
@@ -92,11 +93,13 @@ def section(scene):
                                   "can be drawn"))
         return parts
     ways = "" if _target(scene) is None else (
-        "The solid line is the path of the direct wave to the body, the dashed "
-        "line the path of its reflection by the ground to the same place. ")
+        "The solid line is the path of the direct wave to the nearest skin, "
+        + ("whose reflection by the ground would come after the end of the run. "
+           if _ground_is_late(scene) else "the dashed line the path of its "
+           "reflection by the ground to the same place. "))
     parts.append(page.figure(
         _draw(scene), f"Drawing of the {scene.explosive_name()} charge, "
-        f"{page.quantity(float(scene.charge_place()[2]), 'm')} above the "
+        f"{page.given(float(scene.charge_place()[2]), 'm')} above the "
         "ground, and of the body before it, seen from the side.",
         f"The scene from the side, to scale. {ways}Grey: the "
         "skin that the blast loads.", "svg"))
@@ -110,52 +113,82 @@ def _sentence(text):
 
 
 def _draw(scene):
-    charge = scene.charge_place()
+    charge, target = scene.charge_place(), _target(scene)
     figure, axis = plt.subplots(figsize=(8.4, 5.2))
-    target = _target(scene)
-    _draw_body(scene, axis)
-    radius = _charge_radius(scene)
-    axis.add_patch(Circle((charge[0], charge[2]), radius, zorder=4,
-                          color=style.COLOURS[1]))
-    axis.annotate(
-        f"{page.quantity(scene.charge_mass(), 'kg', 4)} "
-        f"{scene.explosive_name()}", (charge[0], charge[2] + radius),
-        (0, 6), textcoords="offset points", ha="center", va="bottom")
-    if target is not None:
-        _draw_ways(axis, charge, target)
-    left = min(-0.6, axis.get_xlim()[0], charge[0] - 0.5)
-    right = max(charge[0], target[0] if target is not None else 0.) + 0.5
-    axis.axhspan(-0.2, 0., color="#cfc9be", linewidth=0.)
-    axis.set_xlim(left, right)
-    axis.set_ylim(-0.2, max(2., charge[2] + 0.6))
+    corners = np.array([charge[[0, 2]], *_draw_body(scene, axis)])
+    has_ground = not _ground_is_late(scene)
+    bottom = 0. if has_ground else corners[:, 1].min() - 0.3
+    top = corners[:, 1].max() + 0.5
+    if has_ground:
+        # As high as the words on it need.
+        bottom = -0.08 * top
+        axis.axhspan(bottom, 0., color="#cfc9be", linewidth=0.)
+    left, right = corners[:, 0].min() - 0.4, corners[:, 0].max() + 0.5
+    side = max(0., 0.8 * (top - bottom) - (right - left)) / 2.
+    axis.set_xlim(left - side, right + side)
+    axis.set_ylim(bottom, top)
     axis.set_aspect("equal")
     axis.set_xlabel("x [m]")
     axis.set_ylabel("z [m]")
+    # Words stand on that side of the charge where no way begins.
+    away = -1. if target is not None and charge[0] < target[0] else 1.
+    _draw_charge(scene, axis, away, has_ground)
+    if target is not None:
+        _draw_ways(scene, axis, away, has_ground)
     return figure
 
 
 def _target(scene):
-    """A place of the body that the drawn ways lead to."""
+    """The skin that is nearest to the charge, where the drawn ways end."""
     known = scene.loads()
-    if known is None:
+    if known is None or known.is_flat or not len(known.areas):
         return None
-    places = known.places()
-    for name in ("forehead", "chest"):
-        if name in places:
-            return places[name]
-    return next(iter(places.values()), None)
+    apart = np.linalg.norm(known.centroids - scene.charge_place(), axis=1)
+    return known.centroids[int(apart.argmin())]
+
+
+def _ground_is_late(scene):
+    """Whether the reflection by the ground reaches the skin that is nearest to
+    the charge after the end of the run."""
+    target, end = _target(scene), scene.fact("end_time")
+    if target is None or end is None:
+        return False
+    arrivals = scene.loads().measure("arrival")
+    return bool(np.any(arrivals > 0.)) and reflections.is_late(
+        scene.charge_place(), target, float(arrivals[arrivals > 0.].min()), end)
 
 
 def _draw_body(scene, axis):
+    """Its lower left and upper right corner; nothing without a body."""
     views = body_views.views_of(scene.loads(), scene.blast.folder)
     if views is None:
-        return
+        return []
     side = [view[0] for view in body_views.VIEWS].index("right")
-    width, height = views.side_extent(side)
-    left, low = views.sides[side].origin
+    low = np.array(views.sides[side].origin)
+    high = low + views.side_extent(side)
     axis.imshow(views.paint_side(side), zorder=1, interpolation="bilinear",
-                extent=(left, left + width, low, low + height))
+                extent=(low[0], high[0], low[1], high[1]))
     axis.grid(False)
+    return [low, high]
+
+
+def _draw_charge(scene, axis, away, has_ground):
+    """The charge, what it is and how high."""
+    charge, radius = scene.charge_place(), _charge_radius(scene)
+    sides = {"ha": "left" if away > 0. else "right",
+             "textcoords": "offset points"}
+    height = page.given(float(charge[2]), "m")
+    axis.add_patch(Circle((charge[0], charge[2]), radius, zorder=4,
+                          color=style.COLOURS[1]))
+    axis.annotate(
+        f"{page.given(scene.charge_mass(), 'kg')} {scene.explosive_name()}"
+        + ("" if has_ground else f"\n{height} above the ground"),
+        (charge[0], charge[2] + radius), (6. * away, 6.), va="bottom", **sides)
+    if has_ground:
+        axis.annotate("", (charge[0], 0.), (charge[0], charge[2]),
+                      arrowprops={"arrowstyle": "<->", "color": style.GREY})
+        axis.annotate(height, (charge[0], 0.5 * charge[2]), (5. * away, 0.),
+                      va="center", color=style.GREY, **sides)
 
 
 def _charge_radius(scene):
@@ -164,26 +197,31 @@ def _charge_radius(scene):
             / (4. * np.pi * density)) ** (1. / 3.)
 
 
-def _draw_ways(axis, charge, target):
-    direct = np.linalg.norm(charge - target)
-    image = charge * np.array([1., 1., -1.])
-    bent = np.linalg.norm(image - target)
+def _draw_ways(scene, axis, away, has_ground):
+    """Ways of the direct and of the reflected wave to the nearest skin, with
+    their lengths."""
+    charge, target = scene.charge_place(), _target(scene)
+    line = {"color": style.COLOURS[0], "linewidth": 1.2}
+    direct = scene.fact("distance") or np.linalg.norm(charge - target)
+    axis.plot([charge[0], target[0]], [charge[2], target[2]], **line)
+    middle = 0.5 * (charge + target)
+    # On that side of the line from which it slopes away.
+    is_above = target[2] <= charge[2]
+    axis.annotate(page.given(direct, "m", 3), (middle[0], middle[2]),
+                  (-2. * away, 4. if is_above else -4.),
+                  textcoords="offset points",
+                  ha="right" if away > 0. else "left",
+                  va="bottom" if is_above else "top", color=style.COLOURS[0])
+    if not has_ground:
+        return
+    bent = np.linalg.norm(charge * np.array([1., 1., -1.]) - target)
     part = charge[2] / (charge[2] + target[2])
     ground = charge[0] + part * (target[0] - charge[0])
-    axis.plot([charge[0], target[0]], [charge[2], target[2]],
-              color=style.COLOURS[0], linewidth=1.2)
     axis.plot([charge[0], ground, target[0]], [charge[2], 0., target[2]],
-              color=style.COLOURS[0], linewidth=1.2, linestyle="--")
-    middle = 0.5 * (charge + target)
-    axis.annotate(f"{direct:.2f} m", (middle[0], middle[2]), ha="center",
-                  va="center", color=style.COLOURS[0],
-                  bbox={"facecolor": "white", "linewidth": 0., "pad": 2.})
-    axis.annotate(f"{bent:.2f} m by the ground", (ground, -0.02),
-                  ha="center", va="top", color="black", fontsize=9)
-    axis.annotate("", (charge[0], 0.), (charge[0], charge[2]),
-                  arrowprops={"arrowstyle": "<->", "color": style.GREY})
-    axis.annotate(f"{charge[2]:.2f} m", (charge[0], 0.5 * charge[2]), (5, 0),
-                  textcoords="offset points", va="center", color=style.GREY)
+              linestyle="--", **line)
+    axis.annotate(f"{page.given(bent, 'm', 3)} by the ground",
+                  (ground, 0.5 * axis.get_ylim()[0]), ha="center",
+                  va="center", color="black", fontsize=9)
 
 
 class Event:

@@ -7,6 +7,7 @@ alone."""
 import csv
 import json
 import math
+import operator
 import os
 import re
 import statistics
@@ -358,7 +359,7 @@ def check_headline(page, files):
     number, rows = report_reader.NUMBER, expected_injuries(files)
     wanted = [
         (rf"({number} \w*) of  ?detonates", files.scene["charge_mass"]),
-        (rf"detonates ({number} m) (?:in front|on|behind|from|beyond)",
+        (rf"detonates ({number} m) (?:in front|to|behind|from|beyond)",
          files.scene["distance"]),
         (rf", ({number} m) above the ground", files.scene["height"])]
     wanted += [(rf" ({number} {unit})(?: and|,)", value) for unit, value
@@ -522,10 +523,10 @@ def _afterburn(files):
 def _loads(files):
     """Impulse on the elements that is not the recorded one."""
     known = values_of(files.summary["biomechanics"], "checks")
-    axis = max("xyz", key=lambda axis: abs(
-        known.get(f"loads_recorded_impulse_{axis}", 0.)))
-    part = known[f"loads_mapped_impulse_{axis}"] \
-        / known[f"loads_recorded_impulse_{axis}"]
+    recorded, mapped = ([known.get(f"loads_{name}_impulse_{axis}", 0.)
+                         for axis in "xyz"] for name in ("recorded", "mapped"))
+    part = sum(map(operator.mul, recorded, mapped)) \
+        / sum(component**2 for component in recorded)
     return [(rf"The elements get ({report_reader.NUMBER} %) of", part)] \
         if abs(part - 1.) > 0.02 else []
 
@@ -773,21 +774,32 @@ def check_energy(page, files):
     last = {name.split(" [")[0]: float(value)
             for name, value in last.items()}
     names = {"work of the loads": "external_work",
+             "work of sliding interfaces": "interface_work",
+             "gained as the step size varies": "step_change_energy",
              "kinetic energy": "kinetic_energy",
              "elastic energy": "stored_energy",
              "lost by relaxation": "relaxation_energy",
              "lost by bulk viscosity": "bulk_viscosity_energy",
              "hourglass energy": "hourglass_energy",
              "lost by hourglass damping": "hourglass_damping_energy",
+             "stored and lost by pressure smoothing":
+                 "pressure_smoothing_energy",
+             "in the contact with the ground": "contact_energy",
              "missing energy": "energy_residual"}
     rows = page.table("Energy of the body").records()
     require(len(rows) >= 5, "energies are missing")
+    balance = rounding = 0.
     for row in rows:
         name = row["energy at the end"]
         require_same(row["value"], last[names[name]], name)
+        value, half = report_reader.quantity(row["value"])
+        is_supply = name.startswith(("work ", "gained ", "missing "))
+        balance += -value if is_supply else value
+        rounding += half
         if name != "missing energy":
             require_same(row["fraction of the work of the loads"],
                          last[names[name]] / abs(last["external_work"]), name)
+    require(abs(balance) <= rounding, f"{balance} J are in no row of {rows}")
     told = next(text for section, text in page.paragraphs
                 if section == "Energy of the body" and "The audit" in text)
     known = values_of(files.summary["biomechanics"], "checks")
