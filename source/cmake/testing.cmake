@@ -186,6 +186,9 @@ endfunction()
 #                 first, have the errors and relative updates that they state
 #   pictures      COMPARE <png>...: the run draws these at its end, and they
 #                 are not of one colour
+#   foreign_reader  meshio reads the VTU files of the run as the tests do
+#   gauge_lines   VARY "Section/Entry=a|b": the first lines of gauges of the runs:
+#                 BOUNDS of what gauge_lines() in field_cases.py finds
 #   stem          BOUNDS "deviation < 1e-3": [m] of a Mach stem from smooth
 #   wedge         BOUNDS "reflected < 20" "triple_point < 9" ANGLE <degrees>:
 #                 angles of shocks at a wedge

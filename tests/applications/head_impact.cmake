@@ -546,3 +546,11 @@ contrecoup_add_application_test(refuses_mesh_beyond_memory refusal
 contrecoup_add_application_test(refuses_interval_below_step refusal
   FILE ${_folder}/sod.prm SET "Rezone/Interval=1e-9"
   MESSAGE "is far below the step, about")
+
+# Readers beside ParaView, of meshes and of particles.
+foreach(_file quickstart verification/two_disks)
+  string(REGEX REPLACE ".*/" "" _name ${_file})
+  contrecoup_add_application_test(vtu_${_name} foreign_reader
+    FILE head_impact/${_file}.prm SET "Output/Pictures=false"
+    "Time/Largest number of steps=2" "Output/Fields=true")
+endforeach()

@@ -22,6 +22,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, os.path.join(HERE, "cases"))
 
 import cost_cases
+import field_cases
 import folder_cases
 import full_disk
 import load_cases
@@ -378,6 +379,7 @@ KINDS = {kind.__name__: kind for kind in
 KINDS.update(resume_cases.KINDS)
 KINDS.update(machine_cases.KINDS)
 KINDS.update(picture_cases.KINDS)
+KINDS.update(field_cases.KINDS)
 KINDS.update({name: of_module(kind)
               for name, kind in {**study_cases.KINDS, **cost_cases.KINDS,
                                  **load_cases.KINDS,

@@ -6,6 +6,7 @@ Stand-ins mostly sleep, so several tests run at a time. A case is a copy of this
 process, which has read all modules before."""
 
 import contextlib
+import importlib.util
 import multiprocessing
 import os
 import sys
@@ -301,6 +302,21 @@ class ResultTest(SelfTest):
         self.rejects("is not < 1.25", *options, flaw="far")
         self.rejects("plot.py triple_point", "reflection", "--set=Writes=stem",
                      "--height=1")
+
+    def test_gauge_lines(self):
+        options = ("gauge_lines", "--set=Writes=line", "--vary=Skip=false|true",
+                   "--bound=peak < 0.05", "--bound=rise < 1e-9",
+                   "--bound=unknown == 0")
+        self.accepts(*options)
+        self.rejects("peak = 0.1", *options, flaw="other")
+        self.rejects("rise = 0.56", *options, flaw="deadly")
+
+    def test_foreign_reader(self):
+        if importlib.util.find_spec("meshio") is None:
+            self.skipTest("there is no python3-meshio")
+        options = ("foreign_reader", "--set=Writes=vtu")
+        self.accepts(*options)
+        self.rejects("meshio cannot read", *options, flaw="words")
 
     def test_arrival(self):
         options = ("arrival", "--set=Writes=gauges",

@@ -203,23 +203,21 @@ const std::vector<std::pair<std::string, std::string>> air_injury_quantities = {
 std::array<double, 5> air_injury_values(const AirBlast &air,
                                         const double body_mass)
 {
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   if (!(air.blast.peak > 0.) || std::isnan(air.exposure.load))
-  {
-    std::array<double, 5> unknown;
-    unknown.fill(std::numeric_limits<double>::quiet_NaN());
-    return unknown;
-  }
-  const double first_phase =
-    air.exposure.is_among_products() ? std::numeric_limits<double>::quiet_NaN()
-    : air.total_impulse > 0.         ? air.blast.impulse / air.total_impulse
-                                     : 1.;
+    return {{unknown, unknown, unknown, unknown, unknown}};
+  const double first_phase = air.exposure.is_among_products() ? unknown
+                             : air.total_impulse > 0.
+                               ? air.blast.impulse / air.total_impulse
+                               : 1.;
   const AirInjury injury =
     air_injury({air.blast.peak, air.exposure.duration(air.blast.duration)},
                air.exposure.load,
                air.ambient,
                body_mass);
-  return {{injury.lung_exposure,
-           injury.lung_lethality,
+  const bool is_over = !air.exposure.goes_on();
+  return {{is_over ? injury.lung_exposure : unknown,
+           is_over ? injury.lung_lethality : unknown,
            injury.eardrum_rupture,
            air.exposure.chest.largest_velocity,
            first_phase}};

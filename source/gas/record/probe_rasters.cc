@@ -262,7 +262,9 @@ void ProbeRasters<dim>::finish()
     if (is_in_body_[i] || !(probes_.records()[i].peak > 0.))
       continue;
     ++n_reached;
-    n_going_on += probes_.records()[i].end > 0. ? 0 : 1;
+    const bool is_over =
+      probes_.records()[i].end > 0. && !probes_.exposures()[i].goes_on();
+    n_going_on += is_over ? 0 : 1;
   }
   if (n_going_on > 0)
     log_line("WARNING: Probes/Lines and Gauge planes: the blast has reached " +

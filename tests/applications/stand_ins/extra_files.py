@@ -129,6 +129,55 @@ def write_gauges(output, entries):
         table.writerows(rows)
 
 
-WRITERS = {"pictures": write_pictures, "stem": write_stem,
+def write_gauge_line(output, entries):
+    """A line of gauges that a blast passes; flaws: other (with "Skip", its peaks
+    are 10 % higher), deadly (farther away more people die)."""
+    x = numpy.linspace(1., 5., 5)
+    peak = 1e6 / x ** 2
+    lethality = 1. / x
+    if entries["Flaw"] == "other" and entries["Skip"] == "true":
+        peak = 1.1 * peak
+    if entries["Flaw"] == "deadly":
+        lethality[3] = 0.9
+    os.makedirs(os.path.join(output, "fields"))
+    columns = {"x [m]": x, "peak_overpressure [Pa]": peak,
+               "impulse [Pa s]": 100. / x, "arrival [s]": 1e-3 * x,
+               "lung_lethality [-]": lethality}
+    with open(os.path.join(output, "fields", "gauges_line_1.csv"), "w",
+              newline="", encoding="utf-8") as file:
+        table = csv.writer(file)
+        table.writerow(columns)
+        table.writerows(numpy.array(list(columns.values())).T.tolist())
+
+
+def write_vtu(output, entries):
+    """Two tetrahedra; flaw: words, an array of texts."""
+    head, data = tiny_files.appended([
+        ("points", numpy.array([[0., 0., 0.], [1., 0., 0.], [0., 1., 0.],
+                                [0., 0., 1.], [1., 1., 1.]]), 3, ""),
+        ("connectivity", numpy.array([0, 1, 2, 3, 1, 2, 3, 4], "uint32"), 1, ""),
+        ("offsets", numpy.array([4, 8], "uint32"), 1, ""),
+        ("types", numpy.array([10, 10], "uint8"), 1, ""),
+        ("pressure", numpy.arange(5.), 1, "Pa"),
+        ("tissue", numpy.array([1, 2], "uint8"), 1, "")])
+    lines = head.splitlines()
+    sections = {"Points": lines[:1], "Cells": lines[1:4],
+                "PointData": lines[4:5], "CellData": lines[5:]}
+    if entries["Flaw"] == "words":
+        sections["CellData"].append('<DataArray type="String" Name="names" '
+                                    'format="ascii">97 0</DataArray>')
+    body = "\n".join(f"<{name}>\n" + "\n".join(rows) + f"\n</{name}>"
+                     for name, rows in sections.items())
+    tiny_files.write(
+        os.path.join(output, "fields", "mesh_0000.vtu"),
+        '<VTKFile type="UnstructuredGrid" version="1.0" byte_order="LittleEndian"'
+        ' header_type="UInt64" compressor="vtkZLibDataCompressor">\n'
+        '<UnstructuredGrid>\n<Piece NumberOfPoints="5" NumberOfCells="2">\n'
+        + body + "\n</Piece>\n</UnstructuredGrid>\n",
+        data + b"\n</AppendedData>\n</VTKFile>\n")
+
+
+WRITERS = {"line": write_gauge_line, "vtu": write_vtu,
+           "pictures": write_pictures, "stem": write_stem,
            "wedge": write_wedge, "reflection": write_reflection,
            "gauges": write_gauges}

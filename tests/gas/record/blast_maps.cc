@@ -130,23 +130,29 @@ TEST(BlastRecord, WhatNobodySawStaysUnknown)
 
 TEST(ExposureRecord, LastsLongerAmongProducts)
 {
-  // A phase of 40 us, and another 0.1 ms after it has fallen below zero.
+  // A phase of 40 us, another 0.1 ms after it has fallen below zero, and a last
+  // one of no importance.
   const auto duration = [](const double products) {
     ExposureRecord record;
-    for (unsigned int i = 1; i <= 24; ++i)
+    for (unsigned int i = 1; i <= 30; ++i)
+    {
       record.add_load(i <= 4    ? 5e6
                       : i <= 14 ? -5e4
-                                : 1e6,
+                      : i <= 24 ? 1e6
+                      : i <= 28 ? -5e4
+                                : 5e3,
                       0.,
                       101325.,
                       products,
                       1e-5);
+      EXPECT_EQ(record.presses_on(), i <= 4 || (i > 14 && i <= 24)) << i;
+    }
     EXPECT_EQ(record.load, 5e6);
-    EXPECT_NEAR(record.load_impulse, 300., 1e-9);
+    EXPECT_NEAR(record.load_impulse, 300.1, 1e-9);
     return record.duration(4e-5);
   };
   EXPECT_EQ(duration(0.), 4e-5);
-  EXPECT_NEAR(duration(1.), 300. / 0.113 / 5e6, 1e-12);
+  EXPECT_NEAR(duration(1.), 24e-5, 1e-12);
 }
 
 

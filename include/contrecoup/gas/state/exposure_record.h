@@ -22,7 +22,7 @@ namespace contrecoup::gas
  */
 struct ExposureRecord
 {
-  static constexpr unsigned int n_values = 8;
+  static constexpr unsigned int n_values = 11;
 
   /// Density that no shock in air reaches [kg/m^3].
   static constexpr double densest_air = 100.;
@@ -30,8 +30,11 @@ struct ExposureRecord
   double load = 0.; ///< largest so far [Pa]
   double last = 0.; ///< overpressure at the end of the last step [Pa]
   ChestWall chest;
-  double load_impulse = 0.; ///< [Pa s]
-  double products = 0.;     ///< largest mass fraction so far [-]
+  double load_impulse = 0.;  ///< [Pa s]
+  double products = 0.;      ///< largest mass fraction so far [-]
+  double phase_impulse = 0.; ///< since the load last began to matter [Pa s]
+  double elapsed = 0.;       ///< since the arrival [s]
+  double lasting = 0.;       ///< end of the last notable phase so far [s]
 
   /// Adds overpressure and dynamic pressure [Pa] and the mass fraction of
   /// products at the end of a step [s].
@@ -45,30 +48,47 @@ struct ExposureRecord
     load = std::max(load, now);
     load_impulse += now * step;
     products = std::max(products, fraction);
+    elapsed += step;
+    // In parts of the ambient pressure; by less nobody is injured.
+    constexpr double harmless = 0.05;
+    phase_impulse = now > harmless * ambient ? phase_impulse + now * step : 0.;
+    if (presses_on())
+      lasting = elapsed;
   }
 
   /**
    * Duration of the load for Bowen's curves [s]: the @p positive_phase of the
    * overpressure. Among the products of an explosive, which overexpand, the
-   * overpressure soon falls below zero and rises again, its first phase lasts
+   * overpressure soon falls below zero and rises again: its first phase lasts
    * the shorter the nearer the charge, and by it people beside the charge would
-   * live. There it is at least load_impulse over 0.113 load: so long as that of
-   * the wave at the edge of the products, which has this shape, so that the
-   * probability of death falls with the distance (computed for 1 kg of TNT,
-   * Composition B and ANFO in cells of 4 mm).
+   * live. There the load lasts to the end of its last phase that has a notable
+   * part of its impulse, nearly as long as at the edge of the products, where
+   * the first phase has all of it. Then the probability of death falls with the
+   * distance (computed for six explosives with and without afterburn).
    */
   double duration(const double positive_phase) const
   {
-    constexpr double shape = 0.113;
-    return is_among_products()
-             ? std::max(positive_phase, load_impulse / shape / load)
-             : positive_phase;
+    return is_among_products() ? std::max(positive_phase, lasting)
+                               : positive_phase;
+  }
+
+  /// Whether the present phase of the load has a notable part of its impulse.
+  bool presses_on() const
+  {
+    constexpr double notable = 0.003;
+    return phase_impulse > notable * load_impulse;
   }
 
   /// Whether the products of an explosive have reached the place.
   bool is_among_products() const
   {
     return products > 0.5;
+  }
+
+  /// Whether the duration among products is not known yet.
+  bool goes_on() const
+  {
+    return is_among_products() && presses_on();
   }
 
   /// Follows the chest through a step [s] that ends with @p overpressure [Pa].
