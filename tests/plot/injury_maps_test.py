@@ -122,15 +122,33 @@ class InjuryMapsTest(unittest.TestCase):
         self.assertIn("50 %", words["death by lung injury"])
         self.assertEqual(words["peak overpressure"], {"4 psi"})
 
+    def test_names_of_levels_are_apart(self):
+        """Also of lines that are close together."""
+        found = fields()
+        x, y = np.meshgrid(np.linspace(-3., 3., 40), np.linspace(0., 3., 20))
+        for name, (values, unit) in found.items():
+            found[name] = np.ones_like(x), unit
+        found["lung_lethality"] = 1. / (1. + np.hypot(x, y)**12), "-"
+        axis = self.drawn(found)["death by lung injury"]
+        axis.figure.canvas.draw()
+        boxes = [text.get_window_extent() for text in axis.texts]
+        self.assertEqual(len(boxes), 3)
+        for i, box in enumerate(boxes):
+            for other in boxes[:i]:
+                self.assertFalse(box.overlaps(other))
+
     def test_report(self):
         """The section is there where it was asked for."""
         tiny_scene.write_all(self.folder)
         self.assertEqual(blast_sections.people(Scene(self.folder)), [])
         self.write(fields(), os.path.join(self.folder, "blast"))
+        tiny_scene.write(os.path.join(self.folder, "blast", "parameters.prm"),
+                         "subsection Loads\n  set Body mass = 125\nend\n")
         text = "".join(map(str, blast_sections.people(Scene(self.folder))))
         self.assertIn("half of the eardrums would rupture on 2.25 m² (unknown "
                       "on 0.750 m²)", text)
         self.assertIn("9 August 2024", text)
+        self.assertIn("Lungs of people of 125\u00a0kg by side-on", text)
 
 
 if __name__ == "__main__":

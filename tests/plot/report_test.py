@@ -212,6 +212,9 @@ class ReportTest(unittest.TestCase):
         self.assertEqual(rows[0], ["item", "value", "unit of value"])
         self.assertIn(["charge", "2.268", "kg of C-4"], rows)
         self.assertIn(["distance to the body", "2.337", "m"], rows)
+        rows = files["table.csv"]
+        self.assertIn(["impulse", "Pa s", "150.4", "0.06", "221.7", "0.1",
+                       "yes"], rows)
         rows = files["conservation_of_the_gas_1.csv"]
         self.assertIn(["mass", "186.07", "kg", "145.11", "kg",
                        repr(100. * -0.22005)], rows)
@@ -345,6 +348,57 @@ class ReportTest(unittest.TestCase):
                     "back chest wall velocity")
         self.assertNotIn("front chest wall velocity", words)
 
+    def test_load_on_the_side(self):
+        """Of a person who turns a side to the charge, that of the upper arm."""
+        folder = self.copy_without("biomechanics/fields.pvd", "blast/fields")
+        for stage, arm in (("blast", 0.5), ("coarser_blast", 0.45)):
+            path = os.path.join(folder, stage, "gauge_injury.csv")
+            with open(path, encoding="utf-8") as file:
+                found = file.read()
+            tiny_scene.write(path, found + "".join(
+                f"{measure},left upper arm,{value},{unit},definition\n"
+                for measure, value, unit in (("lung_exposure", arm, "-"), (
+                    "chest_wall_velocity", 12., "m/s"))))
+        # Of one who faces it, an arm is no side of the trunk.
+        self.expect(text_of(Made(folder).page),
+                    "chest load over the 50 % lethality load 0.264")
+        change_json(folder, "scene.json", lambda facts: facts["person"].update(
+            side_to_charge="left side"))
+        words = text_of(Made(folder).page)
+        self.expect(words, "left side load over the 50 % lethality load 0.500",
+                    "left chest wall velocity 12.0 m/s",
+                    "on the upper arm, which covers the side")
+        self.assertNotIn(" chest load over the 50 %", words)
+
+    def test_loads_alone(self):
+        """Nothing is told of elements that nothing is computed with."""
+        folder = self.copy_without("biomechanics", "coarser_biomechanics",
+                                   "blast/fields")
+        change_json(folder, "scene.json",
+                    lambda facts: facts.update(question="loads"))
+        words = text_of(Made(folder).page)
+        for absent in ("elements of the body", "The body's mesh"):
+            self.assertIn(absent, self.text)
+            self.assertNotIn(absent, words)
+
+    def test_name_of_an_explosive(self):
+        """Of the library as it is written, of one's own as one wrote it."""
+        scene = Scene(self.whole)
+        for name, shown in (("c-4", "C-4"), ("petn 1.77", "PETN 1.77"),
+                            ("composition b", "composition B"),
+                            ("pressed mix", "pressed mix")):
+            scene.facts["explosive"] = name
+            self.assertEqual(scene.explosive_name(), shown)
+
+    def test_wave_that_has_merged(self):
+        """Of a low charge and of a high one, whose wave comes alone."""
+        for height, words in ((0.15, "may have merged"), (3., "those of the "
+                                                          "incident wave")):
+            scene = Scene(self.whole)
+            scene.facts.update(distance=1.46, height=height,
+                               charge_place=[1.46, 0., height])
+            self.assertIn(words, reflections.note(scene))
+
     def test_load_in_the_air(self):
         """At a probe as far from the charge as the body, Bowen's definition
         gives the exposure and the probability of death."""
@@ -418,8 +472,8 @@ class ReportTest(unittest.TestCase):
     def test_no_measure_changes_its_sign(self):
         """However large its error is."""
         for value, bounds in ((0.007, (0., 0.0175)), (-1e5, (-2.5e5, 0.))):
-            entry = injury_table.Judged("x", value, "-", ("strain", [], "", ""),
-                                        1.5, "")
+            entry = injury_table.Judged("x", value, "-", injury_thresholds.Known(
+                "strain", [], "", ""), 1.5, "")
             for bound, expected in zip(entry.bounds(), bounds):
                 self.assertAlmostEqual(bound, expected)
 
@@ -441,7 +495,7 @@ class ReportTest(unittest.TestCase):
         change_json(folder, "scene.json",
                     lambda facts: facts.update(table_comparison=[]))
         self.expect(text_of(Made(folder).page),
-                    "in the open, as far as the body tables incident peak "
+                    "in the open, as far as the body tables peak "
                     "overpressure 314 kPa free-field load over the 50 % "
                     "lethality load 0.410 probability of death by lung injury "
                     "less than 0.1 % (4.2 % before a wall)",
@@ -639,7 +693,7 @@ class ReportTest(unittest.TestCase):
     def test_items_of_the_answer(self):
         """What could change it, in plain words."""
         self.expect(
-            self.text, "Beside the body, the incident peak overpressure is "
+            self.text, "Beside the body, the peak overpressure is "
             "15 % below and the impulse is 32 % below the tables of Kingery and "
             "Bulmash, by more than the errors of both; loads and verdicts carry "
             "these differences.",

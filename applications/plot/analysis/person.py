@@ -27,8 +27,13 @@ def words(scene):
 def place_of_charge(scene):
     """Where the charge is, seen from the person: "in front of", or "from" where
     that is unknown."""
-    return WHERE.get((scene.facts.get("person") or {}).get("side_to_charge"),
-                     "from")
+    return WHERE.get(side_to_charge(scene), "from")
+
+
+def side_to_charge(scene):
+    """The side of the person that is turned to the charge; None of a body
+    without sides of its own."""
+    return (scene.facts.get("person") or {}).get("side_to_charge")
 
 
 def plane_normal_to(scene, axis):

@@ -114,6 +114,9 @@ def verdict_figure(loads, views, marks):
     norm = Normalize(min(low, 0.), high if high > low else low + 1.)
     sides = views.loaded_sides(np.nan_to_num(values) * loads.areas)
     figure, axes = plt.subplots(1, 2, figsize=(3.9, 4.2))
+    # Both at one scale.
+    widest, highest = np.max([views.side_extent(side) for side in sides],
+                             axis=0)
     left = list(marks)
     for axis, side in zip(axes, sides):
         axis.set_axis_off()
@@ -121,6 +124,8 @@ def verdict_figure(loads, views, marks):
         axis.imshow(views.paint_side(side, values * factor, norm,
                                      plt.get_cmap(style.SEQUENTIAL)),
                     extent=(0., width, 0., height))
+        axis.set_xlim(0.5 * (width - widest), 0.5 * (width + widest))
+        axis.set_ylim(0.5 * (height - highest), 0.5 * (height + highest))
         axis.set_title(views.names()[side], fontsize=10)
         seen = [(mark, views.spot(side, mark.place)) for mark in left]
         seen = [(mark, spot) for mark, spot in seen if spot is not None]

@@ -131,6 +131,8 @@ class _Side:
         _, self.right, self.up, self.depth = view
         self.low, self.high, self.pixel = low, high, pixel
         margin = np.max(spacing)
+        # By which a place that is seen may lie behind the patches there [m].
+        self.tolerance = max(0.02 * (high - low)[2], 0.5 * margin)
         self.origin = [
             -margin + (low[axis] if sign > 0 else -high[axis])
             for axis, sign in (self.right, self.up)]
@@ -222,8 +224,7 @@ class _Side:
 
     def spot(self, point):
         row, column, close = (x[0] for x in self._project(point[None, :]))
-        tolerance = 0.02 * (self.high - self.low)[2]
         if (not (0 <= row < self.shape[0] and 0 <= column < self.shape[1])
-                or close < self.nearest[row, column] - tolerance):
+                or close < self.nearest[row, column] - self.tolerance):
             return None
         return (column + 0.5) * self.pixel, (row + 0.5) * self.pixel

@@ -138,9 +138,7 @@ def _free_air(scene):
         ("probe", "quantity", "this run", "Kingery and Bulmash", "difference"),
         rows,
         "The reference is a spherical charge in free air (C. N. Kingery, G. "
-        "Bulmash, ARBRL-TR-02555, 1984). Peak and arrival at the probe are "
-        "those of the incident wave; reflections by "
-        f"{reflections.reflectors(scene)} add to impulse and duration.",
+        f"Bulmash, ARBRL-TR-02555, 1984). {reflections.note(scene)}",
         numbers=(2, 3, 4))
 
 

@@ -63,12 +63,19 @@ def people(scene):
             "as if nobody were there: " + "; ".join(words) + " of it. Grey: the "
             "blast has not arrived, the figure is not known, as within the "
             "charge, or, of lungs, the blast is not over or not simple; among "
-            "the products of the explosive no curve was measured. Lungs by side-on plus dynamic "
+            "the products of the explosive no curve was measured. Lungs"
+            f"{_mass_of_people(scene)} by side-on plus dynamic "
             f"pressure and positive phase ({KNOWN['lung_lethality'][2]}), "
             f"eardrums by the peak ({KNOWN['ear_rupture'][2]}); 4 psi: "
             f"{KNOWN['peak_overpressure'][2]}. The chest wall velocity: "
             f"{KNOWN['chest_wall_velocity_air'][3]}."))
     return parts
+
+
+def _mass_of_people(scene):
+    """By which their lungs are judged, in words."""
+    mass = scene.blast.parameter("Loads/Body mass")
+    return f" of people of {page.given(mass[0], 'kg')}" if mass else ""
 
 
 # Gauges that stand for a part with a verdict, in order.
@@ -88,6 +95,8 @@ def verdict_figure(scene, verdicts):
         ear = one.entry.name.removeprefix("ear_rupture_")
         names = [name for name in (ear, *PLACES.get(one.subject, ()))
                  if name in places]
+        if not names and one.subject == "brain":
+            names = _skin_at_coup(scene, places)
         # The side with the larger load is the one that is shown.
         marks += [body_loads.Mark(places[name], one.label(),
                                   COLOURS[one.kind]) for name in names[:1]]
@@ -96,10 +105,24 @@ def verdict_figure(scene, verdicts):
         largest = page.quantity(float(known.measure("peak").max()), "Pa")
     return page.figure(
         picture, "The body from the sides that the blast loads most, coloured "
-        f"by the peak overpressure, {largest} at most, with marks at "
-        + (page.joined(mark.words for mark in marks) or "no part") + ".",
-        "Peak overpressure on the skin. Marks have the colour of their "
-        "verdict: green below all thresholds, red above all, brown between.")
+        f"by the peak overpressure, {largest} at most"
+        + (", with marks at " + page.joined(mark.words for mark in marks)
+           if marks else "") + ".", "Peak overpressure on the skin."
+        + (" Marks have the colour of their verdict: green below all "
+           "thresholds, red above all, brown between." if marks else ""))
+
+
+def _skin_at_coup(scene, places):
+    """Adds the skin that is nearest to the side of the brain towards the
+    charge to places; its name in a list."""
+    skin, coup = scene.loads().centroids, [
+        row.get("place") for row in scene.list_of("tissue_places")
+        if row.get("name") == "coup"]
+    if not coup or not len(skin):
+        return []
+    apart = np.linalg.norm(skin - np.array(coup[0], float), axis=1)
+    places["coup"] = skin[int(apart.argmin())]
+    return ["coup"]
 
 
 def views_of(scene):

@@ -61,6 +61,8 @@ def waves(scene):
         panels_beside = fields.cut_fields(outputs, place)
         beside = page.drawn(body_cuts.draw_pressures, panels_beside, is_head)
         tissues = _tissues_at(outputs[0][1], place)
+        stiff = " The stiff skeleton stands out." \
+            if "skeleton" in _tissues_at(outputs[0][1], 1e-4) else ""
     times = page.moments([time for time, _ in outputs])
     middle = _middle_plane(scene)
     parts = [
@@ -69,8 +71,8 @@ def waves(scene):
                     f"{times}.",
                     f"Pressure in the {middle}, with one colour "
                     "scale for all times: red is compression, blue tension. "
-                    "Colours follow the square root of the pressure. The "
-                    "stiff skeleton stands out."),
+                    "Colours follow the square root of the pressure."
+                    + stiff),
         page.figure(beside, f"The body cut {place:.3g} m beside its middle, "
                     f"coloured by the pressure, {_span(panels_beside)}, after "
                     f"{times}.",
@@ -341,8 +343,9 @@ def _draw_energy(history, known):
     for axis in axes:
         axis.set_xlabel("time [ms]")
         axis.set_ylabel("energy [J]")
-        axis.legend(fontsize=8, loc="upper center", ncols=3,
-                    bbox_to_anchor=(0.5, -0.17))
+        if axis.lines:
+            axis.legend(fontsize=8, loc="upper center", ncols=3,
+                        bbox_to_anchor=(0.5, -0.17))
     return figure
 
 

@@ -19,7 +19,7 @@ LONG_ENOUGH = 0.01  # s, until the largest strains that a front causes
 WORDS = {"reflection": "arrival of a wave reflected by an open side of the "
          "domain"}
 # Quantities of the comparison with the tables.
-COMPARED = {"peak_overpressure": "incident peak overpressure",
+COMPARED = {"peak_overpressure": "peak overpressure",
             "impulse": "impulse", "duration": "duration",
             "arrival": "arrival", "lung_exposure": KNOWN["lung_exposure_air"][0],
             "lung_lethality": KNOWN["lung_lethality"][0],
@@ -39,7 +39,12 @@ class Lead:
         self.warnings = scene.warnings()
         self.compared = _compared(scene)
         self.equivalence = _equivalence(scene)
-        self.reflectors = reflections.reflectors(scene)
+        mass = files.as_number((scene.facts.get("tables") or {}).get(
+            "body_mass"))
+        self.lungs = "" if mass is None else (
+            f"; lungs of a person of {page.given(mass, 'kg')}")
+        self.reflections = reflections.note(scene)
+        self.file = _comparison_file(scene)
 
     def lines(self):
         """The text version, a few lines."""
@@ -62,19 +67,18 @@ class Lead:
                                 "Bulmash, which do not cover this charge and "
                                 "distance")
         caption = ("Tables: Kingery and Bulmash for a bare charge in free air"
-                   f"{self.equivalence}, without ground, afterburn and body. ")
+                   f"{self.equivalence}, without ground, afterburn and body"
+                   f"{self.lungs}. ")
         if len(self.compared[0]) == 2:
             return page.table(
                 ("in the open, as far as the body", "tables"), self.compared,
                 caption + "No probe beside the body has the wave of this run "
-                "at that distance.", numbers=(1,))
+                "at that distance.", numbers=(1,), data=self.file)
         return page.table(
             ("beside the body, in the open", "this run", "tables"),
             self.compared, caption + "±: errors of the numerics and of the "
-            "tables; what differs by more is marked. Reflections by "
-            f"{self.reflectors} add to impulse and duration of this run and to "
-            "what follows from them: what they may have raised above the "
-            "tables is not marked.", numbers=(1, 2))
+            "tables; what differs by more is marked, unless reflections may "
+            f"explain it. {self.reflections}", numbers=(1, 2), data=self.file)
 
     def doubts(self):
         """What could change the verdict, and the warnings."""
@@ -142,6 +146,18 @@ def _compared(scene):
             cells[-1] = page.tag("span", cells[-1], kind="mid")
         rows.append((COMPARED.get(name, name.replace("_", " ")), *cells))
     return rows
+
+
+def _comparison_file(scene):
+    """The same with all digits."""
+    return (("quantity", "unit", "this run", "relative error of this run",
+             "tables", "relative error of the tables", "differs"),
+            [(COMPARED.get(row.get("name"), row.get("name")), row.get("unit"),
+              *("" if value is None else page.Rounded("", value) for value in (
+                  files.as_number(row.get(key)) for key in (
+                      "run", "run_error", "tables", "tables_error"))),
+              "yes" if row.get("differs") else "no") for row in
+             scene.list_of("table_comparison") or _answer_rows(scene)])
 
 
 def _answer_rows(scene):
@@ -216,7 +232,7 @@ def _tables(scene, judged):
             if page.chance(here) != page.chance(known):
                 chances.append(f"the {words} is {page.chance(known)}, where "
                                f"this run has {page.chance(here)}")
-        elif row.get("name") != "lung_exposure":
+        else:
             change = here / known - 1.
             differing.append(f"the {words} is {page.percent(abs(change))} "
                              + ("below" if change < 0. else "above"))

@@ -5,17 +5,23 @@
 import math
 import re
 
+from plot.analysis import person
 from plot.report import error_estimate, injury_thresholds, page
 from plot.report.injury_thresholds import Known
 
-# Names of the measures of gauge_injury.csv; of chest and back, the side with
-# the larger load is shown.
+# Names of the measures of gauge_injury.csv; of chest and back, and of an upper
+# arm that is turned to the charge, the side with the larger load is shown.
 SIDES = ("chest", "back")
+ARMS = {"left side": "left upper arm", "right side": "right upper arm"}
 SKIN_NAMES = {("chest_wall_velocity", "trunk"): "chest_wall_mean",
               ("chest_wall_velocity", "chest"): "chest_wall_front",
               ("chest_wall_velocity", "back"): "chest_wall_back",
+              ("chest_wall_velocity", "left upper arm"): "chest_wall_left",
+              ("chest_wall_velocity", "right upper arm"): "chest_wall_right",
               ("lung_exposure", "chest"): "lung_exposure",
-              ("lung_exposure", "back"): "lung_exposure_back"}
+              ("lung_exposure", "back"): "lung_exposure_back",
+              ("lung_exposure", "left upper arm"): "lung_exposure_left",
+              ("lung_exposure", "right upper arm"): "lung_exposure_right"}
 # Of those of probe_injury.csv that are shown, at a probe as far from the charge
 # as the body.
 AIR_NAMES = {"lung_exposure": "lung_exposure_air",
@@ -175,9 +181,10 @@ def _share_errors(judged):
 
 
 def loaded_side(scene):
-    """The one of SIDES with the larger exposure of the lung."""
+    """The side with the largest exposure of the lung."""
     injury = scene.gauge_injury()
-    found = [side for side in SIDES if ("lung_exposure", side) in injury]
+    found = [side for side in (*SIDES, ARMS.get(person.side_to_charge(scene)))
+             if ("lung_exposure", side) in injury]
     return max(found, default=SIDES[0],
                key=lambda side: injury["lung_exposure", side].value)
 
@@ -319,9 +326,9 @@ def _verdict(entry):
     if not entry.has_verdict:
         return page.tag("span", "exposure, no verdict", kind="none")
     count = entry.exceeded()
-    word = "above: " + entry.meaning() if count else "below"
-    if entry.thresholds[0][0] < 0. and count:
-        word = "exceeded: " + entry.meaning()
+    is_lowest = entry.thresholds[0][0] < 0.
+    word = ("exceeded: " if is_lowest else "above: ") + entry.meaning() \
+        if count else "not reached" if is_lowest else "below"
     certain = entry.is_certain()
     note = "" if certain is None else "; the error does not change this" \
         if certain else "; a threshold lies within the error"

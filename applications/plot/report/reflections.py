@@ -11,6 +11,21 @@ def reflectors(scene):
     return "the body" if _ground_is_late(scene) else "ground and body"
 
 
+def note(scene):
+    """What reflections do to the wave at the first probe, as a sentence: a wave
+    that meets the ground at more than 40 degrees, where regular reflection of
+    strong shocks ends, may have merged with its reflection."""
+    distance, height = scene.fact("distance"), scene.fact("height")
+    may_merge = None not in (distance, height) and math.atan2(
+        distance, 2. * height) > math.radians(40.)
+    if may_merge and not _ground_is_late(scene):
+        return ("The wave at the probe may have merged with its reflection by "
+                "the ground, which raises peak and impulse and lets it arrive "
+                "earlier; reflections by the body add to impulse and duration.")
+    return ("Peak and arrival at the probe are those of the incident wave; "
+            f"reflections by {reflectors(scene)} add to impulse and duration.")
+
+
 def is_late(charge, place, arrival, time):
     """Whether the ground's reflection comes to a place after a time, even with
     the mean speed of the direct wave until its arrival, which is faster than

@@ -41,7 +41,8 @@ def build(scene):
                   *blast_sections.conservation(scene))
     parts.section("Assumptions", *accuracy.plan(scene))
     parts.section("Accuracy", *accuracy.statement(scene, judged))
-    parts.section("The body's mesh", *body_sections.mesh(scene))
+    if has_body:
+        parts.section("The body's mesh", *body_sections.mesh(scene))
     parts.section("Cost", *accuracy.cost(scene))
     parts.section("How to reproduce", *accuracy.reproduce(scene))
     return parts.render(), summary.of(scene, judged, lead, parts)

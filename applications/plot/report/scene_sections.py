@@ -63,7 +63,7 @@ def facts(scene):
     add("accuracy", scene.facts.get("accuracy"))
     if scene.cell_size():
         add("gas cells at the skin", _millimetres(scene.cell_size()))
-    if scene.element_size():
+    if scene.element_size() and scene.facts.get("question") != "loads":
         add("elements of the body", _millimetres(scene.element_size()))
     return page.table(("item", "value"), rows)
 

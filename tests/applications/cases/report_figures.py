@@ -37,18 +37,26 @@ EXPOSURES = ("maximum brain pressure",)
 # probe_injury.csv in the report.
 OF_SKIN = {("chest_wall_velocity", "chest"): "chest_wall_front",
            ("chest_wall_velocity", "back"): "chest_wall_back",
+           ("chest_wall_velocity", "left upper arm"): "chest_wall_left",
+           ("chest_wall_velocity", "right upper arm"): "chest_wall_right",
            ("chest_wall_velocity", "trunk"): "chest_wall_mean",
            ("lung_exposure", "chest"): "lung_exposure",
            ("lung_exposure", "back"): "lung_exposure_back",
+           ("lung_exposure", "left upper arm"): "lung_exposure_left",
+           ("lung_exposure", "right upper arm"): "lung_exposure_right",
            ("lung_exposure", "probe 1"): "lung_exposure_air",
            ("lung_lethality", "probe 1"): "lung_lethality"}
 OF_AIR = ("lung_exposure_air", "lung_lethality")
 SKIN_TITLES = {
     "chest_wall_front": "front chest wall velocity",
     "chest_wall_back": "back chest wall velocity",
+    "chest_wall_left": "left chest wall velocity",
+    "chest_wall_right": "right chest wall velocity",
     "chest_wall_mean": "mean chest wall velocity (over the trunk)",
     "lung_exposure": "chest load over the 50 % lethality load",
     "lung_exposure_back": "back load over the 50 % lethality load",
+    "lung_exposure_left": "left side load over the 50 % lethality load",
+    "lung_exposure_right": "right side load over the 50 % lethality load",
     "lung_exposure_air": "free-field load over the 50 % lethality load",
     "lung_lethality": "probability of death by lung injury",
     "ear_rupture": "rupture probability of an eardrum"}
@@ -95,7 +103,9 @@ class Files:
             for measure, place in list(self.skin):
                 if place.startswith("probe "):
                     del self.skin[measure, place]
-        self.side = max((side for side in ("chest", "back")
+        arm = self.scene.get("person", {}).get("side_to_charge", "").replace(
+            " side", " upper arm")
+        self.side = max((side for side in ("chest", "back", arm)
                          if ("lung_exposure", side) in self.skin),
                         key=lambda side: self.skin["lung_exposure", side],
                         default="chest")
@@ -182,6 +192,8 @@ def check_facts(page, files):
              "height above ground": "height", "end of the run": "end_time",
              "gas cells at the skin": "cell_size_at_body",
              "elements of the body": "element_size"}
+    if files.scene.get("question") == "loads":
+        del known["elements of the body"]
     for name, key in known.items():
         require_same(table[name], files.scene[key], name)
     return len(known)
@@ -489,7 +501,8 @@ def _without_verdicts(page, text):
 
 def _free_air(files):
     """Differences to the tables that exceed the errors."""
-    words = {"peak_overpressure": "incident peak overpressure",
+    words = {"peak_overpressure": "the peak overpressure",
+             "lung_exposure": SKIN_TITLES["lung_exposure_air"],
              "impulse": "the impulse", "duration": "the duration",
              "arrival": "the arrival"}
     return [(rf"{words[row['name']]} is ({report_reader.NUMBER} %) "
