@@ -21,6 +21,18 @@ contrecoup_add_application_test(quota study_quota FILE ${_study} RANKS 3)
 contrecoup_add_application_test(any_file study_any_file FILE ${_study}
   OTHER_FILE blast/verification)
 
+# A series of scenes over distance, in cells of 80 mm and elements of 30 mm.
+contrecoup_add_application_test(distance study_distance FILE study/distance.prm
+  RANKS 2
+  SET "Study/Settings=Scene/Accuracy=first look@SEMICOLON@ \
+Scene/Cell size=0.08@SEMICOLON@ Scene/Element size=0.03@SEMICOLON@ \
+Scene/Error estimate=false@SEMICOLON@ Scene/Report=false@SEMICOLON@ \
+Scene/Forecast=false@SEMICOLON@ Anatomy/Output/Pictures=false@SEMICOLON@ \
+Blast/Output/Fields=false@SEMICOLON@ Blast/Output/Pictures=false@SEMICOLON@ \
+Biomechanics/Output/Fields=false"
+    "Vary distance/Values=1 | 0.0045@SEMICOLON@ 1.6 | 0.0045@SEMICOLON@ 3.2 | 0.0065"
+    "Vary distance/Labels=1 m@SEMICOLON@ 1.6 m@SEMICOLON@ 3.2 m")
+
 # study_refuses(<name> <message> <arguments>)
 function(study_refuses name message)
   contrecoup_add_application_test(refuses_${name} refusal ${ARGN}

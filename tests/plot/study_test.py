@@ -3,6 +3,7 @@
 # Copyright (C) 2026 by the Contrecoup authors
 """Curves and charts of the outputs of a study."""
 
+import math
 import os
 import sys
 import tempfile
@@ -64,6 +65,14 @@ class StudyPicturesTest(unittest.TestCase):
                          [100., 25., 6.25, 1.5625])
         self.assertNotEqual(*[axis.lines[1].get_ydata()[0]] * 2)
         self.assertIn("1 of 12 runs", figure._suptitle.get_text())
+
+    def test_probabilities(self):
+        """What hardly ever happens is zero on the axis, not a power of ten."""
+        found = study()
+        for row in found["rows"]:
+            row["columns"][0] = math.exp(-8. * row["numbers"][0])
+        figure = self.drawn(study_curves.draw_curves, found)
+        self.assertEqual(figure.axes[0].get_yscale(), "linear")
 
     def test_chart(self):
         """Contours over distance and mass; crosses where a run failed."""

@@ -11,8 +11,10 @@ import numpy as np
 from plot.figures import style, work_precision
 
 MOST_PANELS, MOST_COLUMNS = 12, 3
-# Axes whose numbers span more than this factor are logarithmic.
+# Axes whose numbers span more than this factor are logarithmic, unless the smallest
+# are nothing beside the largest, as are probabilities of what does not happen.
 LOGARITHMIC_X, LOGARITHMIC_Y = 4., 10.
+NOTHING = 1e-6
 
 
 def numbers(study, factor):
@@ -44,8 +46,9 @@ def factor_label(factor):
 
 
 def spans(values, ratio):
-    """Whether positive numbers span more than this ratio."""
-    return min(values) > 0. and max(values) > ratio * min(values)
+    """Whether positive numbers span more than this ratio, and none is NOTHING."""
+    return min(values) > NOTHING * max(values) > 0. \
+        and max(values) > ratio * min(values)
 
 
 def panels(count):
@@ -173,7 +176,7 @@ def levels_of(values):
     """Round numbers between the smallest and the largest of these, ten to a
     decade at most where they span decades."""
     low, high = float(np.min(values)), float(np.max(values))
-    if low > 0. and high > LOGARITHMIC_Y * low:
+    if spans([low, high], LOGARITHMIC_Y):
         decades = range(math.floor(math.log10(low)),
                         math.ceil(math.log10(high)) + 1)
         steps = (1., 2., 5.) if high < 1e4 * low else (1.,)

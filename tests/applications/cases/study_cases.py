@@ -350,6 +350,35 @@ def study_any_file(case, check_bound, read_summary):
                     and float(row["error"]) >= 0., f"{name}: {row}")
 
 
+def column_of(table, address):
+    """Numbers of the column with this address in all rows."""
+    name = next(name for name in table[0] if name.startswith(address))
+    return [float(row[name]) for row in table]
+
+
+def study_distance(case, check_bound, read_summary):
+    """A series of scenes over distance gives its curves: the columns of the table
+    are what the scenes left, they fall with the distance, and are drawn."""
+    output = case.folder("run")
+    case.run(output)
+    table = read_table(output)
+    for address in ("blast/results.probe_1_peak_overpressure",
+                    "blast/results.loads_chest_peak",
+                    "biomechanics/results.injury_intracranial_pressure_peak"):
+        stage, name = address.split("/results.")
+        told = column_of(table, address)
+        left = [read_summary(os.path.join(row["folder"], stage))["results"][name]
+                ["value"] for row in table]
+        print(f"{address}: {told}")
+        require(told == left and len(told) == 3, f"{address}: {told}, {left}")
+        require(told == sorted(told, reverse=True), f"{address}: {told}")
+    deaths = column_of(table, "blast/probe_injury.csv:lung_lethality")
+    require(deaths == sorted(deaths, reverse=True) and deaths[0] > 0.9,
+            f"deaths: {deaths}")
+    require(os.path.getsize(os.path.join(output, "pictures", "curves.png"))
+            > 10000, "curves.png is empty")
+
+
 KINDS = {kind.__name__: kind for kind in
          (study_run, study_failures, study_sigterm, study_sigkill,
-          study_storage, study_quota, study_any_file)}
+          study_storage, study_quota, study_any_file, study_distance)}
