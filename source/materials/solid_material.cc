@@ -4,6 +4,7 @@
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/names.h>
 #include <contrecoup/base/system/text.h>
+#include <contrecoup/materials/relaxation.h>
 #include <contrecoup/materials/solid_material.h>
 
 #include <algorithm>
@@ -28,9 +29,9 @@ SolidKinematics find_solid_kinematics(const std::string &name)
 
 double SolidMaterial::relaxation_modulus(const double time) const
 {
-  return time > 0. ? instantaneous_shear +
-                       relaxing_shear * std::expm1(-time / relaxation_time)
-                   : instantaneous_shear;
+  return instantaneous_shear +
+         relaxing_shear *
+           std::expm1(relaxation_exponent(std::max(time, 0.), relaxation_time));
 }
 
 

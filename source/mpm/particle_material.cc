@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/materials/relaxation.h>
 #include <contrecoup/materials/solid_law.h>
 #include <contrecoup/mpm/particle_lanes.h>
 #include <contrecoup/mpm/particle_material.h>
@@ -48,7 +49,7 @@ namespace
     law.twice_shear = 2. * material.instantaneous_shear;
     law.twice_relaxing = 2. * material.relaxing_shear;
     law.decay_before = law.decay_after =
-      std::exp(-step / material.relaxation_time);
+      std::exp(relaxation_exponent(step, material.relaxation_time));
     law.gas = material.gas;
     return law;
   }

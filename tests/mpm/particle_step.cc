@@ -11,14 +11,15 @@ using namespace contrecoup::mpm;
 namespace
 {
 /// A bar along x, held at x = 0 and free at its end, in its first mode: length
-/// 25, E = 100, density 1, hence a period of 10.
-ParticleCase vibrating_bar(const TransferScheme &scheme, const unsigned int n)
+/// 25, by default E = 100 and density 1, hence a period of 10.
+ParticleCase vibrating_bar(const TransferScheme &scheme,
+                           const unsigned int n,
+                           ParticleMaterial bar = elastic(100., 0., 1.))
 {
   GridBox box;
   box.cell_size = 25. / n;
   box.n_cells = {{n + 4, 1, 1}};
   box.reflects = {{true, false, true, true, true, true}};
-  ParticleMaterial bar = elastic(100., 0., 1.);
   bar.kinematics = SolidKinematics::small_strain;
   ParticleCase result(box, scheme, {bar});
   result.fill([](const dealii::Point<3> &x) { return x[0] < 25. ? 0 : -1; },
@@ -74,4 +75,24 @@ TEST(ParticleStep, bar_vibrates_with_its_period_and_keeps_its_energy)
         }
       }
     }
+}
+
+// A branch that relaxes within a step, or at once, leaves the elastic rest.
+TEST(ParticleStep, tiny_relaxation_times_leave_the_relaxed_material)
+{
+  const TransferScheme scheme;
+  auto relaxed = vibrating_bar(scheme, 16, elastic(100., 0., 1.));
+  relaxed.advance(0.02, 200);
+  const auto expected = relaxed.sorted_states();
+  for (const double time : {1e-12, 1e-300, 0.})
+  {
+    ParticleMaterial material = elastic(100., 0., 1.);
+    auto &solid = std::get<SolidMaterial>(material.law);
+    solid.relaxing_shear = 2. * solid.instantaneous_shear;
+    solid.instantaneous_shear += solid.relaxing_shear;
+    solid.relaxation_time = time;
+    auto bar = vibrating_bar(scheme, 16, material);
+    bar.advance(0.02, 200);
+    EXPECT_LT(largest_difference(bar.sorted_states(), expected), 1e-12) << time;
+  }
 }

@@ -4,6 +4,7 @@
 #include <contrecoup/ale/lagrange/corner_forces.h>
 #include <contrecoup/ale/mesh/cell_corners.h>
 #include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/materials/relaxation.h>
 #include <contrecoup/numerics/element/hex8_moments.h>
 
 #include <cmath>
@@ -51,7 +52,7 @@ namespace
     model.law.twice_shear = 2. * shear;
     model.law.twice_relaxing = 2. * material.relaxing_shear;
     model.law.decay_before = model.law.decay_after =
-      std::exp(-0.5 * step / material.relaxation_time);
+      std::exp(relaxation_exponent(0.5 * step, material.relaxation_time));
     model.density = material.density;
     model.sound_speed = material.dilatational_speed();
     model.linear_viscosity = region.viscosity.linear;

@@ -88,10 +88,11 @@ namespace
     declare_double(prm,
                    "Relaxation time",
                    "6e-3",
-                   1e-9,
+                   0.,
                    1e6,
                    "s",
-                   "Time constant of the relaxation of viscoelastic solids.");
+                   "Time constant of the relaxation of viscoelastic solids; 0: "
+                   "they relax at once.");
     declare_selection(
       prm,
       "Tissue",

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/materials/relaxation.h>
 #include <contrecoup/solid/motion/batch_loop.h>
 
 #include <cmath>
@@ -17,13 +18,6 @@ namespace
   /// energy of central differences grows with each collapse near the stable
   /// step; with this it is kept within 0.2 %, and the step safety covers it.
   constexpr double least_cavity_viscosity = 0.02;
-
-  /// -t / tau, bounded: where a step was cut, the stored strain is of a later
-  /// time, and a branch that follows at once must not be taken back in time.
-  double relaxation_exponent(const double time, const double tau)
-  {
-    return time == 0. ? 0. : std::min(1., -time / tau);
-  }
 
   /// Sets what relaxes from the stored strain to now, and half a step on.
   /// Losses are those of central differences where strains change at a steady
