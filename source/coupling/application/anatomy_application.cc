@@ -11,6 +11,7 @@
 #include <contrecoup/coupling/application/anatomy_application.h>
 #include <contrecoup/coupling/application/anatomy_parameters.h>
 #include <contrecoup/coupling/application/body_report.h>
+#include <contrecoup/geometry/mesh/stray_cells.h>
 #include <contrecoup/io/application/check_file.h>
 #include <contrecoup/io/file/checked_file.h>
 #include <contrecoup/io/file/hex_mesh_files.h>
@@ -85,6 +86,8 @@ namespace coupling
                   " nodes in " + duration(meshed_));
         for (const std::string &remark : body_->remarks())
           log_line("  " + remark);
+        for (const std::string &line : strays_)
+          log_line("  " + line);
         if (!mesh_.hanging_nodes.empty())
           log_line("  " + std::to_string(mesh_.hanging_nodes.size()) +
                    " nodes hang between larger elements");
@@ -111,6 +114,7 @@ namespace coupling
         {
           grid = make_grid(surface_->bounding_box(), parameters_.element_size);
           body_->fill(*grid);
+          strays_ = join_strays(body_->parts(), *grid);
           SignalGuard::require_no_stop();
           mesh_ = make_hex_mesh(*grid, body_->parts(), parameters_.levels);
         }
@@ -321,6 +325,7 @@ namespace coupling
       BodyPointer body_;
       ShapePointer surface_;
       HexMesh mesh_;
+      std::vector<std::string> strays_; ///< what became of stray cubes
       SmoothingReport smoothing_;
       double meshed_ = 0.; ///< when the mesh was ready [s]
     };

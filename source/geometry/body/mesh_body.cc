@@ -9,6 +9,7 @@
 #include <contrecoup/geometry/mesh/hex_quality.h>
 #include <contrecoup/geometry/mesh/mesh_file.h>
 #include <contrecoup/geometry/mesh/mesh_format.h>
+#include <contrecoup/geometry/mesh/stray_cells.h>
 #include <contrecoup/geometry/mesh/triangulation_hexes.h>
 #include <contrecoup/geometry/shape/triangulated_surface.h>
 
@@ -239,9 +240,11 @@ BodyPointer MeshBodyDescription::create(const double scale) const
     parts.push_back(part.name == name_of(part.tissue)
                       ? part.name
                       : part.name + " = " + name_of(part.tissue));
-  body->set_remarks({"mesh of " +
-                     std::to_string(body->own_mesh()->cells.size()) +
-                     " hexahedra of one's own: " + join(parts, ", ")});
+  std::vector<std::string> remarks = stray_warnings(*body->own_mesh());
+  remarks.insert(remarks.begin(),
+                 "mesh of " + std::to_string(body->own_mesh()->cells.size()) +
+                   " hexahedra of one's own: " + join(parts, ", "));
+  body->set_remarks(remarks);
   return body;
 }
 } // namespace contrecoup

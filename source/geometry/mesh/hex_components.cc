@@ -12,37 +12,6 @@ namespace
 {
   using Pair = std::array<std::uint32_t, 2>;
 
-  /// Cells that share a face.
-  std::vector<Pair> neighbors_of(const HexMesh &mesh)
-  {
-    constexpr unsigned int corners[6][4] = {{0, 4, 7, 3},
-                                            {1, 2, 6, 5},
-                                            {0, 1, 5, 4},
-                                            {3, 7, 6, 2},
-                                            {0, 3, 2, 1},
-                                            {4, 5, 6, 7}};
-    // Sorted nodes of each face, then its cell.
-    std::vector<std::array<std::uint32_t, 5>> faces;
-    faces.reserve(6 * mesh.cells.size());
-    for (std::uint32_t cell = 0; cell < mesh.cells.size(); ++cell)
-      for (const auto &corner : corners)
-      {
-        std::array<std::uint32_t, 5> face{};
-        for (unsigned int v = 0; v < 4; ++v)
-          face[v] = mesh.cells[cell][corner[v]];
-        std::sort(face.begin(), face.begin() + 4);
-        face[4] = cell;
-        faces.push_back(face);
-      }
-    std::sort(faces.begin(), faces.end());
-    std::vector<Pair> pairs;
-    for (std::size_t i = 1; i < faces.size(); ++i)
-      if (std::equal(
-            faces[i].begin(), faces[i].begin() + 4, faces[i - 1].begin()))
-        pairs.push_back({{faces[i - 1][4], faces[i][4]}});
-    return pairs;
-  }
-
   /// Number of connected sets of each label.
   std::array<unsigned int, 256> count(const std::vector<Pair> &pairs,
                                       const std::vector<unsigned char> &label)
@@ -64,6 +33,37 @@ namespace
     return counts;
   }
 } // namespace
+
+
+std::vector<std::array<std::uint32_t, 2>> neighbors_of(const HexMesh &mesh)
+{
+  constexpr unsigned int corners[6][4] = {{0, 4, 7, 3},
+                                          {1, 2, 6, 5},
+                                          {0, 1, 5, 4},
+                                          {3, 7, 6, 2},
+                                          {0, 3, 2, 1},
+                                          {4, 5, 6, 7}};
+  // Sorted nodes of each face, then its cell.
+  std::vector<std::array<std::uint32_t, 5>> faces;
+  faces.reserve(6 * mesh.cells.size());
+  for (std::uint32_t cell = 0; cell < mesh.cells.size(); ++cell)
+    for (const auto &corner : corners)
+    {
+      std::array<std::uint32_t, 5> face{};
+      for (unsigned int v = 0; v < 4; ++v)
+        face[v] = mesh.cells[cell][corner[v]];
+      std::sort(face.begin(), face.begin() + 4);
+      face[4] = cell;
+      faces.push_back(face);
+    }
+  std::sort(faces.begin(), faces.end());
+  std::vector<Pair> pairs;
+  for (std::size_t i = 1; i < faces.size(); ++i)
+    if (std::equal(
+          faces[i].begin(), faces[i].begin() + 4, faces[i - 1].begin()))
+      pairs.push_back({{faces[i - 1][4], faces[i][4]}});
+  return pairs;
+}
 
 
 std::array<unsigned int, 256>

@@ -6,10 +6,12 @@
 #include <contrecoup/base/parameters/selections.h>
 #include <contrecoup/base/parameters/tissue_list.h>
 #include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/log.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/geometry/mesh/hex_quality.h>
 #include <contrecoup/geometry/mesh/mesh_file.h>
 #include <contrecoup/geometry/mesh/mesh_format.h>
+#include <contrecoup/geometry/mesh/stray_cells.h>
 #include <contrecoup/geometry/mesh/triangulation_hexes.h>
 #include <contrecoup/solid/body/mesh_description.h>
 
@@ -328,6 +330,8 @@ HexMesh MeshDescription::from_body() const
     return *own;
   LabelGrid grid = make_grid(body->surface()->bounding_box(), element_size_);
   body->fill(grid);
+  for (const std::string &line : join_strays(body->parts(), grid))
+    log_line(line);
   HexMesh mesh = make_hex_mesh(grid, body->parts(), levels_);
   if (smoothing_.iterations > 0)
     smooth(mesh, smoothing_);
@@ -347,7 +351,11 @@ HexMesh MeshDescription::from_triangulation() const
   }
   else
     make_shape(mesh);
-  return to_hex_mesh(mesh, parts);
+  HexMesh result = to_hex_mesh(mesh, parts);
+  if (kind_ == "file")
+    for (const std::string &line : stray_warnings(result))
+      log_line(line);
+  return result;
 }
 
 

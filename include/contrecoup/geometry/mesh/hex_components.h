@@ -10,9 +10,13 @@
 
 namespace contrecoup
 {
+/// Pairs of cells that share a face. Cells of a mesh with hanging nodes do not
+/// share faces there.
+std::vector<std::array<std::uint32_t, 2>> neighbors_of(const HexMesh &mesh);
+
 /**
  * Number of face-connected sets of the cells of each label; of all cells at
- * LabelGrid::outside. Cells of a mesh with hanging nodes do not share faces.
+ * LabelGrid::outside. Faces are those of neighbors_of().
  * @param label of each cell
  */
 std::array<unsigned int, 256>
