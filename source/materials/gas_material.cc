@@ -150,11 +150,13 @@ double GasMaterial::sound_speed_squared(const double density,
     model_);
 }
 
-double GasMaterial::cold_energy_density(const double density,
-                                        const double products) const
+double GasMaterial::least_energy_density(const double density,
+                                         const double products) const
 {
   return std::visit(
-    [&](const auto &gas) { return gas.cold_energy_density(density, products); },
+    [&](const auto &gas) {
+      return gas.least_energy_density(density, products);
+    },
     model_);
 }
 

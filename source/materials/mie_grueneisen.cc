@@ -15,7 +15,9 @@ MieGrueneisen MieGrueneisen::stiffened_gas(const double gamma,
 
 MieGrueneisen MieGrueneisen::jwl(const JwlParameters &products)
 {
-  return MieGrueneisen(ColdCurve::jwl(products));
+  const double slope_share =
+    products.B < 0. ? 1. / (products.omega * (1. + products.omega)) : 0.;
+  return MieGrueneisen(ColdCurve::jwl(products), slope_share);
 }
 
 MieGrueneisen MieGrueneisen::jwl_in_air(const JwlParameters &products,

@@ -49,6 +49,16 @@ errors.velocity_L1 < 0.00845;errors.pressure_L1 < 2.81e-05;${_closed}")
 blast_verifies(jwl_shyue jwl_shyue
   "errors.density_L1 < 2.6e-2;\
 errors.velocity_L1 < 0.00722;errors.pressure_L1 < 0.0219;${_closed}")
+blast_verifies(jwl_lx17 jwl_lx17
+  "errors.density_L1 < 12.5;\
+errors.velocity_L1 < 42.2;errors.pressure_L1 < 1.32e9;${_closed}")
+contrecoup_add_application_test(jwl_lx17_order convergence
+  FILE ${_folder}/jwl_lx17.prm SET "Output/Fields=false"
+  VARY "Domain/Coarse leaves=100|200" ERROR errors.density_L1 ORDER 0.7
+  LABELS verification)
+contrecoup_add_application_test(jwl_imaginary_sound_speed refusal
+  FILE ${_folder}/jwl_lx17.prm SET "Initial state/Riemann/Right pressure=-5e11"
+  MESSAGE "below which the sound speed is not real" LABELS verification)
 blast_verifies(tnt_air tnt_air
   "errors.density_L1 < 3.9;\
 errors.velocity_L1 < 89.6;errors.pressure_L1 < 9.1e+06;${_closed}")

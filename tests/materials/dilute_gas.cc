@@ -41,8 +41,8 @@ void expect_mixture(const Gas &gas,
   expect_equal(square, other_square);
   expect_equal(energy,
                gas.internal_energy_density(density, pressure, products));
-  expect_equal(mixture.cold_energy_density(density, products),
-               gas.cold_energy_density(density, products));
+  expect_equal(mixture.least_energy_density(density, products),
+               gas.least_energy_density(density, products));
 }
 
 template <typename Number>

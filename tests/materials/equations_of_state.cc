@@ -71,8 +71,9 @@ void check_point(const Gas &gas,
                  const double heat,
                  const double products)
 {
-  const double energy_density =
-    gas.cold_energy_density(density, products) + density * heat;
+  double energy_density = density * heat;
+  if constexpr (Gas::has_products)
+    energy_density += gas.cold_energy_density(density, products);
   const double energy = energy_density / density;
   const double scale = pressure_scale(jwl, density, energy_density);
   SCOPED_TRACE("density " + std::to_string(density) + ", e - e_c " +
@@ -199,6 +200,40 @@ TEST(Jwl, AgreesWithTheTextbookForm)
                   textbook,
                   20. * epsilon * pressure_scale(jwl, density, energy_density));
     }
+}
+
+
+// Unreacted LX-17 (LANL's ExactPack, riemann_jwl): with B < 0 the least energy
+// is where c^2 = 0, on either side of the cold curve.
+TEST(Jwl, AdmitsTheStatesWithARealSoundSpeedWhereBIsNegative)
+{
+  JwlParameters jwl;
+  jwl.A = 6.321e13;
+  jwl.B = -4.472e9;
+  jwl.R1 = 11.3;
+  jwl.R2 = 1.13;
+  jwl.omega = 0.8938;
+  jwl.reference_density = 1905.;
+  const MieGrueneisen gas = MieGrueneisen::jwl(jwl);
+  for (const double density : densities(3. * jwl.reference_density))
+  {
+    const double least = gas.least_energy_density(density, 0.);
+    const double margin = 1e-9 * pressure_scale(jwl, density, 1e6 * density);
+    for (const double side : {-1., 1.})
+      EXPECT_GT(
+        side * gas.sound_speed_squared(
+                 density, gas.pressure(density, least + side * margin, 0.), 0.),
+        0.)
+        << "density " << density;
+  }
+  EXPECT_GT(gas.least_energy_density(952.5, 0.),
+            gas.cold_energy_density(952.5, 0.));
+  EXPECT_LT(gas.least_energy_density(3810., 0.),
+            gas.cold_energy_density(3810., 0.));
+  for (const MieGrueneisen &convex :
+       {MieGrueneisen::jwl(tnt()), MieGrueneisen::jwl_in_air(jwl)})
+    EXPECT_EQ(convex.least_energy_density(1630., 0.5),
+              convex.cold_energy_density(1630., 0.5));
 }
 
 

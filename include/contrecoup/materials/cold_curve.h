@@ -75,14 +75,16 @@ public:
     return cold;
   }
 
-  /// rho e_c [J/m^3] of products alone.
+  /// rho (e_c - @p slope_share dp_c/drho) [J/m^3] of products alone.
   template <typename Number>
   DEAL_II_ALWAYS_INLINE Number
-  energy_density_of_products(const Number &density) const
+  energy_density_of_products(const Number &density,
+                             const double slope_share) const
   {
     if (!any_less(Number(dilute_density_), density))
       return Number(p_infinity_);
-    return at(density, Number(1.)).energy_density;
+    const ColdState<Number> cold = at(density, Number(1.));
+    return cold.energy_density - density * slope_share * cold.slope;
   }
 
   /// Whether lanes that have at most this density [kg/m^3] hold products and

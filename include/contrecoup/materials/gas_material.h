@@ -72,7 +72,7 @@ public:
   double
   sound_speed_squared(double density, double pressure, double products) const;
 
-  double cold_energy_density(double density, double products) const;
+  double least_energy_density(double density, double products) const;
 
   double temperature(double density, double pressure, double products) const;
 

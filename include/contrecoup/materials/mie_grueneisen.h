@@ -27,7 +27,11 @@ namespace contrecoup
  *       = p_c'(rho) + (1 + omega) (p - p_c) / rho.
  *
  * With A, B >= 0 both terms are positive on {rho > 0, e > e_c}, and this set
- * is convex at fixed Y since (rho e_c)'' = p_c' / rho >= 0.
+ * is convex at fixed Y since (rho e_c)'' = p_c' / rho >= 0: fluxes between
+ * products and thin gas rest on this, and it is the admissible set. Pure JWL
+ * with B < 0 admits all states with c^2 > 0 instead: published problems have
+ * some below the cold curve, others above it have no real sound speed. That set
+ * need not be convex.
  *
  * Arguments are as in IdealGas. Y is clipped to [0, 1]. Where the exponentials
  * vanish, a group of lanes skips them (see ColdCurve).
@@ -114,15 +118,24 @@ public:
     return sound_speed_squared_at(cold, density, pressure);
   }
 
-  /// Lower bound of the admissible rho e [J/m^3]: that of pure products for
-  /// any Y. This choice keeps the set {rho > 0, rho e > bound} convex in (rho,
-  /// rho u, rho E, rho Y), and the bound lies above rho e_c of the mixture. In
-  /// air below 100 kg/m^3 the difference is less than 2 J/kg.
+  /// rho e_c [J/m^3] of pure products for any Y.
   template <typename Number>
   DEAL_II_ALWAYS_INLINE Number
   cold_energy_density(const Number &density, const Number & /*products*/) const
   {
-    return curve_.energy_density_of_products(density);
+    return curve_.energy_density_of_products(density, 0.);
+  }
+
+  /// Lower bound of the admissible rho e [J/m^3]. Pure JWL with B < 0: where
+  /// c^2 = 0. Otherwise cold_energy_density(), which keeps the set {rho > 0,
+  /// rho e > bound} convex in (rho, rho u, rho E, rho Y) and lies above rho e_c
+  /// of the mixture; in air below 100 kg/m^3 the difference is less than 2
+  /// J/kg.
+  template <typename Number>
+  DEAL_II_ALWAYS_INLINE Number
+  least_energy_density(const Number &density, const Number & /*products*/) const
+  {
+    return curve_.energy_density_of_products(density, slope_share_);
   }
 
   /// Temperature (e - e_c) / c_v [K].
@@ -165,8 +178,10 @@ public:
   }
 
 private:
-  explicit MieGrueneisen(const ColdCurve &curve)
+  /// @param slope_share see slope_share_
+  explicit MieGrueneisen(const ColdCurve &curve, const double slope_share = 0.)
     : curve_(curve)
+    , slope_share_(slope_share)
   {}
 
   template <typename Number>
@@ -197,5 +212,7 @@ private:
   }
 
   ColdCurve curve_;
+  /// What e_c - least e is of p_c' [-].
+  double slope_share_;
 };
 } // namespace contrecoup

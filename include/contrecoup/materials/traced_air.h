@@ -37,8 +37,8 @@ public:
   /// Lower bound of the admissible rho e [J/m^3]: zero.
   template <typename Number>
   DEAL_II_ALWAYS_INLINE Number
-  cold_energy_density(const Number & /*density*/,
-                      const Number & /*products*/) const
+  least_energy_density(const Number & /*density*/,
+                       const Number & /*products*/) const
   {
     return Number(0.);
   }

@@ -55,7 +55,7 @@ bool LeafTransfer<dim>::is_admissible(const double *first,
   const double products =
     material_.has_products() ? first[C::products * stride] / density : 0.;
   return density > 0. && first[C::energy * stride] - 0.5 * kinetic / density -
-                             material_.cold_energy_density(density, products) >
+                             material_.least_energy_density(density, products) >
                            0.;
 }
 

@@ -301,15 +301,15 @@ void HangingTraces<dim, Gas, Real>::limit_coarse_slopes()
       Number products(0.);
       if constexpr (Gas::has_products)
         products = part[C::products];
-      good =
-        std::min(good,
-                 select_less(
-                   zero,
-                   part[C::density],
-                   Number(gas_.internal_energy_density(
-                            part[C::density], part[C::pressure], products) -
-                          gas_.cold_energy_density(part[C::density], products)),
-                   zero));
+      good = std::min(
+        good,
+        select_less(
+          zero,
+          part[C::density],
+          Number(gas_.internal_energy_density(
+                   part[C::density], part[C::pressure], products) -
+                 gas_.least_energy_density(part[C::density], products)),
+          zero));
     }
     for (auto &slope : coarse_slope_)
       for (unsigned int c = 0; c < nc; ++c)

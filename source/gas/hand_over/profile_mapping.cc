@@ -373,10 +373,10 @@ namespace
       bool is_physical = true;
       for_each_point([&](PointState<dim> &state, const double) {
         state.internal *= factor;
-        const double cold = material_.cold_energy_density(
+        const double least = material_.least_energy_density(
           state.density, state.products / state.density);
         is_physical =
-          is_physical && state.density > 0. && state.internal > cold;
+          is_physical && state.density > 0. && state.internal > least;
         return true;
       });
       if (dealii::Utilities::MPI::min(is_physical ? 1 : 0,

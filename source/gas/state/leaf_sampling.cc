@@ -35,8 +35,9 @@ namespace
       const double products = material.has_products()
                                 ? values[C::products * n_points + q] / density
                                 : 0.;
-      if (!(density > 0.) || !(values[C::energy * n_points + q] - kinetic >
-                               material.cold_energy_density(density, products)))
+      if (!(density > 0.) ||
+          !(values[C::energy * n_points + q] - kinetic >
+            material.least_energy_density(density, products)))
         return false;
     }
     return true;

@@ -88,14 +88,16 @@ void check_state(const GasState<dim> &state,
 
   const double lowest = material.pressure(
     state.density,
-    material.cold_energy_density(state.density, state.products),
+    material.least_energy_density(state.density, state.products),
     state.products);
   if (!(state.pressure > lowest) || !std::isfinite(state.pressure))
     refuse("pressure",
            state.pressure,
-           "finite and above " + brief(lowest, 6) +
-             " Pa, the lowest that this material has at a density of " +
-             brief(state.density, 6) + " kg/m^3");
+           "finite and above " + brief(lowest, 6) + " Pa, " +
+             (!material.has_products() && material.explosive().B < 0.
+                ? "below which the sound speed is not real"
+                : "the lowest that this material has") +
+             " at a density of " + brief(state.density, 6) + " kg/m^3");
 }
 
 

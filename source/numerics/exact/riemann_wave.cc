@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace contrecoup
 {
@@ -51,7 +52,7 @@ RiemannWave::RiemannWave(const RiemannState &ahead,
 {
   const double dilute = 1e-12 * ahead.density;
   lowest_pressure_ = gas.pressure(
-    dilute, gas.cold_energy_density(dilute, ahead.products), ahead.products);
+    dilute, gas.least_energy_density(dilute, ahead.products), ahead.products);
   integrate_isentrope();
 }
 
@@ -108,8 +109,14 @@ void RiemannWave::integrate_isentrope()
   const double start = std::log(ahead_.density);
   isentrope_.push_back({start, ahead_.pressure, ahead_.velocity});
   const unsigned int n_steps = std::lround(depth / step_size);
-  for (unsigned int i = 1; i <= n_steps; ++i)
-    isentrope_.push_back(advance(isentrope_.back(), start - i * step_size));
+  for (unsigned int i = 1; i <= n_steps && !isentrope_ends_; ++i)
+  {
+    const Point next = advance(isentrope_.back(), start - i * step_size);
+    isentrope_ends_ =
+      !(sound_speed(std::exp(next.log_density), next.pressure) > 0.);
+    if (!isentrope_ends_)
+      isentrope_.push_back(next);
+  }
 
   const Point &last = isentrope_.back();
   const double density = std::exp(last.log_density);
@@ -133,6 +140,8 @@ RiemannWave::Point RiemannWave::polytrope_at(const double log_density) const
 
 double RiemannWave::escape_velocity() const
 {
+  if (isentrope_ends_)
+    return -sign_ * std::numeric_limits<double>::infinity();
   const Point &last = isentrope_.back();
   return last.velocity -
          sign_ * 2. / omega_ *
@@ -143,6 +152,11 @@ double RiemannWave::escape_velocity() const
 RiemannWave::Point RiemannWave::isentrope_at(const double pressure) const
 {
   const Point &last = isentrope_.back();
+  if (pressure <= last.pressure && isentrope_ends_)
+    throw NumericsError("The gas of density " + brief(ahead_.density) +
+                        " kg/m^3 has no real sound speed when it expands to a "
+                        "pressure of " +
+                        brief(pressure) + " Pa");
   if (pressure <= last.pressure)
     return polytrope_at(last.log_density +
                         std::log((pressure - lowest_pressure_) /

@@ -114,7 +114,7 @@ struct Parent
           : 0.;
       if (!(density > 0.) ||
           !(values[(dim + 1) * layout.n_points + q] - kinetic >
-            material.cold_energy_density(density, products)))
+            material.least_energy_density(density, products)))
         return false;
     }
     return true;
@@ -139,7 +139,7 @@ struct Parent
       const double thermal = 2.5e5 * std::pow(10., 0.5 * decades * any(engine));
       state.pressure = material.pressure(
         state.density,
-        material.cold_energy_density(state.density, state.products) + thermal,
+        material.least_energy_density(state.density, state.products) + thermal,
         state.products);
       const double speed = std::sqrt(thermal / state.density);
       for (unsigned int d = 0; d < dim; ++d)

@@ -86,7 +86,7 @@ unsigned int check_blast(const std::vector<std::string> &lines,
         run.material.has_products() ? u[dim + 2] / u[0] : 0.;
       EXPECT_GT(u[0], 0.);
       EXPECT_GT(u[dim + 1] - kinetic -
-                  run.material.cold_energy_density(u[0], products),
+                  run.material.least_energy_density(u[0], products),
                 0.);
       // The mass fraction is no part of the admissible set.
       EXPECT_GE(products, -1e-3);
@@ -149,7 +149,7 @@ void set_rough_state(GasRun<dim> &run,
       const double thermal = 2.5e5 * std::pow(10., 0.5 * decades * any(engine));
       state.pressure = run.material.pressure(
         state.density,
-        run.material.cold_energy_density(state.density, state.products) +
+        run.material.least_energy_density(state.density, state.products) +
           thermal,
         state.products);
       for (unsigned int d = 0; d < dim; ++d)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/materials/explosives.h>
 #include <contrecoup/numerics/exact/exact_riemann.h>
 
@@ -17,6 +18,19 @@ const GasMaterial &air()
 {
   static const GasMaterial gas{IdealGas(1.4)};
   return gas;
+}
+
+/// Constants of the problem of Lee, those of LX-17 [Mbar, g/cm^3].
+MieGrueneisen unreacted_explosive()
+{
+  JwlParameters jwl;
+  jwl.A = 632.1;
+  jwl.B = -0.04472;
+  jwl.R1 = 11.3;
+  jwl.R2 = 1.13;
+  jwl.omega = 0.8938;
+  jwl.reference_density = 1.905;
+  return MieGrueneisen::jwl(jwl);
 }
 
 /// Half a unit in the last of @p digits significant digits.
@@ -126,6 +140,41 @@ TEST(ExactRiemann, SolvesShyuesJwlProblem)
   EXPECT_NEAR(solution.right_head_speed(), 2.3047531503, 1e-6);
   EXPECT_NEAR(solution.left_tail_speed(), -0.80090464, 1e-6);
   EXPECT_NEAR(solution.left_head_speed(), -2.73639164, 1e-8);
+}
+
+
+// The problem of Lee in LANL's ExactPack (riemann_jwl), in Mbar, g/cm^3 and cm:
+// the right state is below the cold curve. Independent values as for Shyue's
+// problem; ExactPack agrees to 8e-7.
+TEST(ExactRiemann, SolvesLeesJwlProblemBelowTheColdCurve)
+{
+  const GasMaterial gas{unreacted_explosive()};
+  EXPECT_LT(gas.internal_energy_density(3.81, 2., 0.),
+            unreacted_explosive().cold_energy_density(3.81, 0.));
+  const ExactRiemann solution({0.9525, 0., 1.}, {3.81, 0., 2.}, gas);
+  EXPECT_NEAR(solution.star_pressure(), 1.19116346153530615808, 1e-12);
+  EXPECT_NEAR(solution.star_velocity(), -0.13299598804322943447, 1e-12);
+  EXPECT_NEAR(solution.left_star_density(), 1.04455990686713007545, 1e-12);
+  EXPECT_NEAR(solution.right_star_density(), 3.51566382660948166898, 1e-12);
+  const double speed = std::sqrt(gas.sound_speed_squared(
+    solution.right_star_density(), solution.star_pressure(), 0.));
+  EXPECT_NEAR(speed, 1.52221266313980361669, 1e-12);
+
+  EXPECT_NEAR(solution.star_pressure(), 1.1911644, 1e-6);
+  EXPECT_NEAR(solution.star_velocity(), -0.13299659, 1e-6);
+  EXPECT_NEAR(solution.left_star_density(), 1.0445603, 1e-6);
+  EXPECT_NEAR(solution.right_star_density(), 3.5156642, 1e-6);
+  EXPECT_NEAR(speed, 1.5222130, 1e-6);
+}
+
+
+// Where matter below the cold curve expands, its sound speed is not real in the
+// end.
+TEST(ExactRiemann, RefusesToExpandToAnImaginarySoundSpeed)
+{
+  const GasMaterial gas{unreacted_explosive()};
+  EXPECT_THROW(ExactRiemann({3.81, -2., 2.}, {3.81, 2., 2.}, gas),
+               NumericsError);
 }
 
 

@@ -273,7 +273,7 @@ TEST(WaveSpeeds, ContainTheExactWaves)
         const double heat = 2e5 * std::pow(750., random.unit());
         const double p =
           gas.pressure(density,
-                       gas.cold_energy_density(density, 1.) + density * heat,
+                       cold_energy_density(gas, density) + density * heat,
                        products);
         const double c =
           std::sqrt(gas.sound_speed_squared(density, p, products));

@@ -84,8 +84,8 @@ namespace internal
       to_face_state<dim>(gas, values, internal_energy);
     if constexpr (Gas::has_products)
       spare =
-        std::min(Number(internal_energy -
-                        gas.cold_energy_density(state.density, state.products)),
+        std::min(Number(internal_energy - gas.least_energy_density(
+                                            state.density, state.products)),
                  state.density);
     return state;
   }

@@ -12,7 +12,7 @@ namespace contrecoup::gas
  * What velocity differences of a reconstruction cost: with the states
  * u +- s at the ends of a cell its middle is left with the internal energy
  *
- *   rho (e - e_c) - rho |s|^2 (1 + (s_rho / rho)^2) / 2
+ *   rho (e - e_least) - rho |s|^2 (1 + (s_rho / rho)^2) / 2
  *
  * per volume, at least this function's result (Berthon 2005 and Waagan 2009
  * bound slopes this way). Where it is positive, fluxes cannot draw more
@@ -33,7 +33,7 @@ energy_left(const Gas &gas,
     products = cell[C::products];
   return gas.internal_energy_density(
            cell[C::density], cell[C::pressure], products) -
-         gas.cold_energy_density(cell[C::density], products) -
+         gas.least_energy_density(cell[C::density], products) -
          cell[C::density] * s_square;
 }
 

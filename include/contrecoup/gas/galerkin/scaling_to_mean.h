@@ -60,11 +60,11 @@ public:
     // Which leaves share a batch must not change what a leaf becomes.
     scale(average, select_less(good, one, theta, one), true);
 
-    const Number spare = energy_above_cold_curve<dim>(gas_, average);
+    const Number spare = spare_energy<dim>(gas_, average);
     theta = one;
     for (unsigned int q = 0; q < n_points_; ++q)
     {
-      const Number here = energy_above_cold_curve<dim>(gas_, node(q));
+      const Number here = spare_energy<dim>(gas_, node(q));
       const Number goal = spare * (1. - margin);
       theta = std::min(
         theta, select_less(here, spare * margin, goal / (spare - here), one));

@@ -129,12 +129,11 @@ rotated_component(const unsigned int i, const unsigned int direction)
   return i == 0 || i > dim ? i : 1 + (direction + i - 1) % dim;
 }
 
-/// Internal energy above the cold curve, rho (e - e_c) [J/m^3]; concave in
-/// the conserved quantities where the density is positive.
+/// Internal energy above the least admissible one [J/m^3]; but for JWL with B <
+/// 0 concave in the conserved quantities where the density is positive.
 template <int dim, typename Gas, typename Number>
 DEAL_II_ALWAYS_INLINE inline Number
-energy_above_cold_curve(const Gas &gas,
-                        const std::array<Number, n_conserved<dim, Gas>> &u)
+spare_energy(const Gas &gas, const std::array<Number, n_conserved<dim, Gas>> &u)
 {
   using C = Component<dim>;
   Number kinetic(0.);
@@ -145,26 +144,25 @@ energy_above_cold_curve(const Gas &gas,
   if constexpr (Gas::has_products)
     products = u[C::products] * inverse_density;
   return u[C::energy] - kinetic * inverse_density * 0.5 -
-         gas.cold_energy_density(u[C::density], products);
+         gas.least_energy_density(u[C::density], products);
 }
 
 /// One for a conserved state with positive density and with more internal
-/// energy than the cold curve, else zero (also for NaN).
+/// energy than the least admissible one, else zero (also for NaN).
 template <int dim, typename Gas, typename Number>
 DEAL_II_ALWAYS_INLINE inline Number
 is_admissible(const Gas &gas,
               const std::array<Number, n_conserved<dim, Gas>> &u)
 {
   const Number zero(0.), one(1.);
-  return select_less(
-    zero,
-    u[Component<dim>::density],
-    select_less(zero, energy_above_cold_curve<dim>(gas, u), one, zero),
-    zero);
+  return select_less(zero,
+                     u[Component<dim>::density],
+                     select_less(zero, spare_energy<dim>(gas, u), one, zero),
+                     zero);
 }
 
 /// Replaces the reconstructed primitive state @p trace by the subcell's mean
-/// @p cell where @p trace has less energy than the cold curve or no positive
+/// @p cell where @p trace has less energy than is admissible or no positive
 /// density.
 template <int dim, typename Gas, typename Number>
 DEAL_II_ALWAYS_INLINE inline void
@@ -179,7 +177,7 @@ restore_if_inadmissible(const Gas &gas,
     products = trace[C::products];
   const Number spare = gas.internal_energy_density(
                          trace[C::density], trace[C::pressure], products) -
-                       gas.cold_energy_density(trace[C::density], products);
+                       gas.least_energy_density(trace[C::density], products);
   for (unsigned int c = 0; c < n_conserved<dim, Gas>; ++c)
     trace[c] =
       select_less(zero, std::min(spare, trace[C::density]), trace[c], cell[c]);

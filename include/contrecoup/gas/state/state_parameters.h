@@ -37,8 +37,8 @@ GasState<dim> read_state(const ParameterHandler &prm,
  * Checks a state.
  *
  * @throws InputError, naming @p where, if the density is not positive, the
- * pressure does not exceed that of the cold curve of @p material at this
- * density, the products are outside [0, 1], or a value is not finite.
+ * pressure does not exceed that of the least energy which @p material admits at
+ * this density, the products are outside [0, 1], or a value is not finite.
  */
 template <int dim>
 void check_state(const GasState<dim> &state,

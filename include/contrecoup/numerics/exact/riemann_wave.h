@@ -26,7 +26,8 @@ struct RiemannState
  * The isentrope is integrated once, in the logarithm of density, down to a
  * millionth of the density ahead: dp = rho c^2 ds, du = +-c ds. Below, the gas
  * is a polytrope with the local exponent, which is exact for all equations of
- * state of this library.
+ * state of this library. JWL below its cold curve has no real sound speed in
+ * the end; there its isentrope ends.
  */
 class RiemannWave
 {
@@ -54,11 +55,12 @@ public:
   /// a stiffened gas.
   double lowest_pressure() const;
 
-  /// Velocity of the gas expanded to vacuum [m/s].
+  /// Velocity of the gas expanded to vacuum [m/s]; infinite where the isentrope
+  /// ends before.
   double escape_velocity() const;
 
   /// State behind the wave for a given pressure there [Pa].
-  /// @throws NumericsError when the Hugoniot curve does not reach it
+  /// @throws NumericsError when Hugoniot curve or isentrope do not reach it
   Behind behind(double pressure) const;
 
   /// Speed of the wave's edge next to the gas ahead [m/s].
@@ -95,5 +97,6 @@ private:
   double lowest_pressure_;
   double omega_; ///< polytropic exponent minus one
   std::vector<Point> isentrope_;
+  bool isentrope_ends_ = false; ///< where the sound speed is not real any more
 };
 } // namespace contrecoup
