@@ -26,7 +26,11 @@ contrecoup_add_application_test(coarse bounds
     "Output/Pictures=false" "Output/Gmsh=true" "Output/Distance spacing=0.05"
   BOUNDS "cells == 8")
 
-# A head for head_impact.
+# Readers beside ParaView.
+contrecoup_add_application_test(vtu foreign_reader
+  FILE anatomy/quickstart.prm SET "Output/Pictures=false" "Mesh/Element size=0.02"
+    "Mesh/Coarsening levels=1")
+# A head for head_impact, and as a body of one's own hexahedra.
 contrecoup_add_application_test(head_mesh bounds
   FILE anatomy/quickstart.prm
   SET "Output/Pictures=false" "Output/Surface=false" "Output/Gmsh=true"

@@ -373,6 +373,16 @@ biomechanics_endures(cavitation_pulse "checks.energy_residual < 1.38e-3;\
 results.largest_vapour_volume_brain > 2.7e-9;\
 results.largest_vapour_volume_brain < 3.1e-9")
 biomechanics_endures(million_steps "checks.energy_residual < 6.4e-8")
+# A body of one's own hexahedra in a pulse; meshio reads its fields.
+contrecoup_add_application_test(own_body bounds,foreign_reader
+  FILE biomechanics/quickstart.prm
+  SET "Body/Kind=mesh"
+    "Body/Mesh/File=${CMAKE_CURRENT_BINARY_DIR}/anatomy_head_mesh/straight_1/mesh.msh"
+    "Probes/Points=0, 0, 0" "Time/End time=1.5e-3" "Output/Fields interval=1e-3"
+  BOUNDS "status == finished" "cells > 1950" "checks.energy_residual < 1.9e-8"
+    "results.injury_intracranial_pressure_peak > 6.11e4"
+    "results.injury_intracranial_pressure_peak < 7.45e4")
+set_tests_properties(biomechanics_own_body PROPERTIES FIXTURES_REQUIRED head_mesh)
 contrecoup_add_application_test(inverted_element refusal
   FILE biomechanics/quickstart.prm
   ARGUMENTS "--set" "Mesh/Kind=file"

@@ -64,6 +64,13 @@ contrecoup_add_application_test(single_runs scene_ranks,scene_parallel_sigkill
 contrecoup_add_application_test(failing_stage scene_failure FILE ${_head}
   SET ${_brief} "Blast/Output/Fields=false" "Biomechanics/Output/Fields=false"
     "Biomechanics/Output/Checkpoint every minutes=1000")
+contrecoup_add_application_test(own_mesh scene_own_mesh FILE ${_head}
+  SET "Scene/Accuracy=first look" "Scene/Cell size=0.04" "Scene/Element size=0"
+    "Body/Kind=mesh"
+    "Body/Mesh/File=${CMAKE_CURRENT_BINARY_DIR}/anatomy_head_mesh/straight_1/mesh.msh"
+    "Anatomy/Output/Pictures=false" "Blast/Output/Fields interval=5e-4"
+    "Biomechanics/Output/Fields interval=5e-4")
+set_tests_properties(scene_own_mesh PROPERTIES FIXTURES_REQUIRED head_mesh)
 # It is the blast that fills the disk: each picture of a plane has some 3 MB.
 contrecoup_add_application_test(full_disk scene_full_disk FILE ${_head}
   RANKS 2 3 CORES 1

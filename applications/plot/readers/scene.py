@@ -108,6 +108,10 @@ class Scene:
         return self._number("element_size", self.biomechanics,
                             "Mesh/Element size")
 
+    def has_own_mesh(self):
+        """Whether the body consists of hexahedra of one's own."""
+        return self.facts.get("body") == "mesh"
+
     def _number(self, name, stage, entry):
         """Of scene.json; of what a stage was given where that is missing, for
         stages that were run one by one."""

@@ -102,9 +102,11 @@ def section(scene, judged):
     return page.table(
         ("measure", "coarser run", "this run", "estimated error"), rows,
         page.tag(
-            "span", "The coarser run has cells of twice the size and elements "
-            "of 5/3 of the size. The estimated error is the difference of both "
-            "runs over r", page.tag("sup", ORDER), " − 1 with the ratio r of "
+            "span", "The coarser run has cells of twice the size"
+            + (", and no body: hexahedra of one's own have no larger ones, and "
+               "errors of what happens in the body are unknown"
+               if scene.has_own_mesh() else " and elements of 5/3 of the size")
+            + ". The estimated error is the difference of both runs over r", page.tag("sup", ORDER), " − 1 with the ratio r of "
             "the sizes, and at least 2 %. For chest wall and lungs it is at "
             "least the difference of the peak on the chest, or on the back "
             "where that is shown, and beside the body that of the incident "

@@ -186,7 +186,8 @@ def _with_error(value, unit, is_chance, error):
 
 def _certainty(scene, judged):
     """How sure the answer is, a sentence each."""
-    parts = _tables(scene, judged) + _verdicts(judged) + _afterburn(scene)
+    parts = (_tables(scene, judged) + _verdicts(scene, judged)
+             + _afterburn(scene))
     parts += _loads(scene) + EnergyAudit(scene).reservations() + _limits(scene)
     parts += _cut_phases(scene)
     if any(entry.name == "injury_strain_95" for entry in judged):
@@ -249,13 +250,15 @@ def _tables(scene, judged):
                     for _ in chances[:1]]
 
 
-def _verdicts(judged):
+def _verdicts(scene, judged):
     """Which verdicts the numerical error could change."""
     known = [entry for entry in judged if entry.has_verdict
              and entry.is_certain() is not None]
     if not known:
-        return ["The numerical error of these verdicts is unknown: the scene "
-                "has no coarser run."] if judged else []
+        return ["The numerical error of these verdicts is unknown: "
+                + ("hexahedra of one's own have no larger ones."
+                   if scene.has_own_mesh() else
+                   "the scene has no coarser run.")] if judged else []
     open_ones = [entry for entry in known if not entry.is_certain()]
     return ["Numerical error could change "
             + (page.count_in_words(len(open_ones)) if open_ones else "none")

@@ -64,7 +64,8 @@ def facts(scene):
     if scene.cell_size():
         add("gas cells at the skin", _millimetres(scene.cell_size()))
     if scene.element_size() and scene.facts.get("question") != "loads":
-        add("elements of the body", _millimetres(scene.element_size()))
+        add("mean edge of the body's own hexahedra" if scene.has_own_mesh()
+            else "elements of the body", _millimetres(scene.element_size()))
     return page.table(("item", "value"), rows)
 
 

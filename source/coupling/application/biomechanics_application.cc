@@ -32,14 +32,22 @@ namespace
                   : create<double>(prm, communicator);
   }
 
+  /// Whether the body consists of hexahedra of one's own.
+  bool own_mesh_in(ParameterHandler &prm)
+  {
+    const Section section(prm, "Body");
+    return prm.get("Kind") == "mesh";
+  }
+
   /// Halves the number of elements of a box per direction, or doubles the
   /// element size of a body, @p levels times.
   bool coarsen(ParameterHandler &prm, const unsigned int levels)
   {
+    const bool has_own_mesh = own_mesh_in(prm);
     const Section section(prm, "Mesh");
     const std::string kind = prm.get("Kind");
     const double factor = std::pow(2., levels);
-    if (kind == "body")
+    if (kind == "body" && !has_own_mesh)
     {
       prm.set("Element size", exact(factor * read_double(prm, "Element size")));
       return true;

@@ -9,6 +9,7 @@
 #include <contrecoup/coupling/application/anatomy_parameters.h>
 #include <contrecoup/coupling/scene/first_answer.h>
 #include <contrecoup/coupling/scene/planned_scene.h>
+#include <contrecoup/geometry/mesh/hex_quality.h>
 #include <contrecoup/io/run/plan_table.h>
 
 #include <algorithm>
@@ -31,6 +32,20 @@ namespace
       text += " (" + along + " m along -x)";
     return text;
   }
+
+  /// Mean edge of a body's own hexahedra [m].
+  /// @throws InputError if an entry asks for another one
+  double edge_of(const HexMesh &mesh, const double wanted)
+  {
+    if (wanted > 0.)
+      throw InputError("Scene/Element size = " + brief(wanted) +
+                       " m has no effect: Body/Kind = mesh has its own "
+                       "hexahedra; leave that entry at 0");
+    HexQuality all;
+    for (const HexQuality &quality : measure_quality(mesh))
+      all = all + quality;
+    return std::cbrt(all.volume / all.n_cells);
+  }
 } // namespace
 
 
@@ -45,6 +60,8 @@ PlannedScene::PlannedScene(dealii::ParameterHandler &prm,
   body_ = description_.create();
   require_parts(parameters_.own_tissues, *body_);
   layout_.emplace(parameters_, *body_->surface());
+  if (const auto own = body_->own_mesh())
+    parameters_.element_size = edge_of(*own, parameters_.element_size);
   parameters_.fit_elements(layout_->body);
   find_body(prm);
   require_measures();
@@ -99,23 +116,32 @@ void PlannedScene::find_body(dealii::ParameterHandler &prm)
   }
   catch (const InputError &error)
   {
-    throw InputError("Scene/Element size: " + std::string(error.what()));
+    throw InputError(
+      (body_->own_mesh() ? "Body/Mesh/File: " : "Scene/Element size: ") +
+      std::string(error.what()));
   }
+}
+
+
+std::string PlannedScene::elements_in_words() const
+{
+  const std::string size = brief(1e3 * parameters_.element_size, 3) + " mm";
+  const auto own = body_->own_mesh();
+  return own ? std::to_string(own->cells.size()) + " hexahedra of one's own, " +
+                 size + " on average"
+             : "elements of " + size;
 }
 
 
 void PlannedScene::print(const bool with_plan) const
 {
-  show_line(
-    "scene " + version() + " (" + git_revision() +
-    "): " + brief(parameters_.mass) + " kg of " + parameters_.explosive.name +
-    " before " + person_->description() + ", " +
-    distance_in_words(parameters_, *layout_) + ", " +
-    brief(layout_->charge[2]) + " m above the ground; cells of " +
-    brief(1e3 * layout_->cell_size()) + " mm at the skin" +
-    (parameters_.wants_injury()
-       ? ", elements of " + brief(1e3 * parameters_.element_size) + " mm"
-       : ""));
+  show_line("scene " + version() + " (" + git_revision() +
+            "): " + brief(parameters_.mass) + " kg of " +
+            parameters_.explosive.name + " before " + person_->description() +
+            ", " + distance_in_words(parameters_, *layout_) + ", " +
+            brief(layout_->charge[2]) + " m above the ground; cells of " +
+            brief(1e3 * layout_->cell_size()) + " mm at the skin" +
+            (parameters_.wants_injury() ? ", " + elements_in_words() : ""));
   if (person_->axes())
   {
     const double azimuth = std::round(person_->charge_azimuth());

@@ -72,7 +72,8 @@ namespace
                    1.,
                    "m",
                    "Edge of the body's elements; 0: that of the accuracy, but "
-                   "at most a sixtieth of the body's longest side.");
+                   "at most a sixtieth of the body's longest side. With "
+                   "Body/Kind = mesh it must be 0.");
   }
 
 

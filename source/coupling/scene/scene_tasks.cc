@@ -261,7 +261,8 @@ std::vector<SceneTask> make_tasks(const PlannedScene &scene,
   if (!scene.parameters().estimates_error)
     return tasks;
   tasks.push_back(maker.coarser_blast());
-  if (scene.parameters().wants_injury())
+  // Hexahedra of one's own have no larger ones.
+  if (scene.parameters().wants_injury() && !scene.body().own_mesh())
     tasks.push_back(maker.coarser_biomechanics(tasks.back()));
   return tasks;
 }

@@ -2,6 +2,7 @@
 
 import csv
 import glob
+import html
 import json
 import os
 import re
@@ -183,6 +184,40 @@ def scene_run(case, check_bound, read_summary):
     require(injury_table(output) != before, "other tissues changed nothing")
     require(os.stat(os.path.join(output, "blast", "loads.h5")).st_mtime_ns
             == loads, "the loads of a blast that was reused are new")
+
+
+def scene_own_mesh(case, _check_bound, _read_summary):
+    """Hexahedra of one's own go through the chain as they are: all stages have as
+    many, forecast, plan and report say so, errors of what happens in them are
+    unknown, and another size of elements is refused."""
+    output = case.folder("run")
+    _, plan, _ = case.run(output, ["--check"])
+    _, out, _ = case.run(output, verbose=False)
+    anatomy = read_json(output, "anatomy", "summary.json")
+    count = anatomy["cells"]
+    forecast = re.search(r"^ +biomechanics +(\d+) ", plan, re.M)
+    require(forecast and int(forecast[1]) == count == read_json(
+        output, "biomechanics", "summary.json")["cells"],
+            f"{count} hexahedra, {forecast} in the forecast")
+    for text in (plan, out):
+        require(f", {count} hexahedra of one's own, " in text,
+                f"the plan does not say so: {text}")
+    scene = read_json(output, "scene.json")
+    require(abs(scene["element_size"] ** 3 * count / anatomy["volume"] - 1.)
+            < 1e-6, f"size of elements: {scene['element_size']}")
+    require(statuses(output) == dict.fromkeys(
+        (*STAGES, "coarser_blast"), "finished"), f"{statuses(output)}")
+    measures = [entry for entry in read_json(output, "report.json")["measures"]
+                if entry["name"].startswith("injury_")]
+    require(measures and all(entry["least"] is None for entry in measures),
+            f"errors are known: {measures}")
+    page = html.unescape(read_bytes(output, "report.html").decode())
+    require(page.count("hexahedra of one's own have no larger ones") == 2,
+            "the report does not say why")
+    _, _, err = case.run(case.folder("sized"), [
+        "--set", "Scene/Element size=0.005"], codes=(1,))
+    require("Scene/Element size = 0.005 m has no effect: Body/Kind = mesh" in err,
+            f"stderr is {err}")
 
 
 # Parts of each value.
@@ -423,4 +458,5 @@ KINDS = {"scene_run": scene_run,
          "scene_ranks": scene_ranks,
          "scene_sigkill": scene_sigkill,
          "scene_parallel_sigkill": scene_parallel_sigkill,
+         "scene_own_mesh": scene_own_mesh,
          "scene_failure": scene_failure}

@@ -81,6 +81,9 @@ public:
   std::vector<std::string> first_answer() const;
 
 private:
+  /// The elements of the body and their size.
+  std::string elements_in_words() const;
+
   /// Computes the mass of the body and, if injury is asked for, the probes in
   /// tissues.
   void find_body(dealii::ParameterHandler &prm);

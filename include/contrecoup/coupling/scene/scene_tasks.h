@@ -12,7 +12,8 @@ namespace contrecoup::coupling
 {
 /**
  * Creates the tasks of a scene in their order: anatomy, blast and, if injury
- * is asked for, biomechanics, each with its parameter file. Writes nothing.
+ * is asked for, biomechanics, then those of the coarser run, each with its
+ * parameter file. Writes nothing.
  * @param prm entries of the scene
  * @param collective must outlive the tasks
  * @throws InputError for entries that an application does not have
