@@ -370,6 +370,27 @@ class ReportTest(unittest.TestCase):
                     "on the upper arm, which covers the side")
         self.assertNotIn(" chest load over the 50 %", words)
 
+    def test_charge_at_the_feet(self):
+        """The wave at the nearest skin does not kill the lungs that are farther
+        away; the load on the trunk bounds what does."""
+        folder = self.copy_without("biomechanics/fields.pvd", "blast/fields")
+        change_json(folder, "scene.json", lambda facts: facts.update(
+            charge_place=[0.9, 0., 0.1], height=0.1, distance=0.78))
+        tiny_scene.write(os.path.join(folder, "blast", "parameters.prm"),
+                         "subsection Probes\n  set Points = 0.9, 0.78, 0.1\nend\n")
+        path = os.path.join(folder, "blast", "probe_injury.csv")
+        with open(path, encoding="utf-8") as file:
+            found = file.read()
+        tiny_scene.write(path, found.replace("0.4321", "1.73").replace(
+            "1.35e-06", "0.999"))
+        words = text_of(Made(folder).page)
+        self.expect(words, "Survives (death by lung injury: less than 0.1 %);",
+                    "Chest and lungs are farther from the charge",
+                    "of the load on the skin of the trunk, an upper limit")
+        for absent in ("free-field load over", "less than 0.1 % (4.2 % before",
+                       "by the tables"):
+            self.assertNotIn(absent, words)
+
     def test_loads_alone(self):
         """Nothing is told of elements that nothing is computed with."""
         folder = self.copy_without("biomechanics", "coarser_biomechanics",
@@ -495,7 +516,7 @@ class ReportTest(unittest.TestCase):
         change_json(folder, "scene.json",
                     lambda facts: facts.update(table_comparison=[]))
         self.expect(text_of(Made(folder).page),
-                    "in the open, as far as the body tables peak "
+                    "in the open, as far as the nearest skin tables peak "
                     "overpressure 314 kPa free-field load over the 50 % "
                     "lethality load 0.410 probability of death by lung injury "
                     "less than 0.1 % (4.2 % before a wall)",
@@ -544,6 +565,7 @@ class ReportTest(unittest.TestCase):
             known = injury_thresholds.KNOWN[
                 "ear_rupture" if place.startswith("ear") else place]
             scene = types.SimpleNamespace(
+                loads=lambda: None, fact=lambda name: None,
                 table_answer=lambda name: (0.5, 0.9)
                 if name == "eardrum_rupture" else (None, None))
             found = verdict.verdicts(scene, [injury_table.Judged(

@@ -71,7 +71,7 @@ class Lead:
                    f"{self.lungs}. ")
         if len(self.compared[0]) == 2:
             return page.table(
-                ("in the open, as far as the body", "tables"), self.compared,
+                ("in the open, as far as the nearest skin", "tables"), self.compared,
                 caption + "No probe beside the body has the wave of this run "
                 "at that distance.", numbers=(1,), data=self.file)
         return page.table(
@@ -133,7 +133,7 @@ def _compared(scene):
     """Rows of this run beside the tables; of the tables alone where no probe is
     as far from the charge as the body."""
     rows, compared = [], scene.list_of("table_comparison")
-    for row in compared or _answer_rows(scene):
+    for row in _rows(scene):
         name, unit = str(row.get("name")), row.get("unit") or "-"
         is_chance = name in CHANCES
         cells = [_with_error(row.get(key), unit, is_chance,
@@ -157,7 +157,16 @@ def _comparison_file(scene):
                   files.as_number(row.get(key)) for key in (
                       "run", "run_error", "tables", "tables_error"))),
               "yes" if row.get("differs") else "no") for row in
-             scene.list_of("table_comparison") or _answer_rows(scene)])
+             _rows(scene)])
+
+
+def _rows(scene):
+    """Of table_comparison, or of the answer of the tables alone; without the
+    lungs where these are farther from the charge."""
+    rows = scene.list_of("table_comparison") or _answer_rows(scene)
+    return [row for row in rows if not (
+        str(row.get("name")).startswith("lung_")
+        and injury_table.lungs_by(scene) == "skin")]
 
 
 def _answer_rows(scene):
@@ -186,8 +195,12 @@ def _with_error(value, unit, is_chance, error):
 
 def _certainty(scene, judged):
     """How sure the answer is, a sentence each."""
-    parts = (_tables(scene, judged) + _verdicts(scene, judged)
-             + _afterburn(scene))
+    parts = ["The wave in the open is that at the nearest skin. Chest and lungs "
+             "are farther from the charge: death by lung injury follows from "
+             "the load on their skin, an upper limit."] \
+        if injury_table.lungs_by(scene) == "skin" else []
+    parts += _tables(scene, judged) + _verdicts(scene, judged)
+    parts += _afterburn(scene)
     parts += _loads(scene) + EnergyAudit(scene).reservations() + _limits(scene)
     parts += _cut_phases(scene)
     if any(entry.name == "injury_strain_95" for entry in judged):
@@ -215,7 +228,7 @@ def _tables(scene, judged):
     """Where the run and the tables differ by more than their errors."""
     parts = []
     death = injury_table.find(judged, "lung_lethality")
-    if death is not None and verdict.disagrees(scene, death):
+    if verdict.disagrees(scene, judged):
         parts.append(
             "The tables have another verdict on the lungs: death with a "
             "probability of "
@@ -223,7 +236,7 @@ def _tables(scene, judged):
             + f" in the open, where this run has {death.shown()}. Trust "
             "neither before a run with a finer Scene/Accuracy.")
     differing, chances = [], []
-    for row in scene.list_of("table_comparison"):
+    for row in _rows(scene):
         here, known = (files.as_number(row.get(key))
                        for key in ("run", "tables"))
         if not row.get("differs") or here is None or not known:

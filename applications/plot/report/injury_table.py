@@ -27,6 +27,11 @@ SKIN_NAMES = {("chest_wall_velocity", "trunk"): "chest_wall_mean",
 AIR_NAMES = {"lung_exposure": "lung_exposure_air",
              "lung_lethality": "lung_lethality"}
 AS_FAR = 0.05  # relative difference
+# Beyond this, relative to the nearest skin, the trunk is not where the probe is.
+FARTHER = 1.15
+OF_THE_SKIN = ("of the load on the skin of the trunk, an upper limit: trunk and "
+               "lungs are farther from the charge than the probe beside the "
+               "nearest skin; for 24 h without treatment")
 # Told with the checks of the run.
 NO_INJURY = ("injury_pressure_roughness",)
 PRESSURES = ("injury_intracranial_pressure_peak",
@@ -129,15 +134,15 @@ class Judged:
 def judge(scene):
     """All measures, those of the skin first."""
     side = loaded_side(scene)
-    with_air = has_chest(scene) and has_probe_at_body(scene)
+    lungs = lungs_by(scene)
     all_known = injury_thresholds.known_by(scene.parameters,
                                            scene.biomechanics.parameters)
     coarser = {} if scene.coarser is None else _measures_of(
-        scene.coarser, side, with_air, all_known)
+        scene.coarser, side, lungs, all_known)
     of_gauges = error_estimate.of_scene_gauges(scene)
     judged = []
     for name, (value, unit, known) in _measures_of(
-            scene, side, with_air, all_known).items():
+            scene, side, lungs, all_known).items():
         other = coarser.get(name)
         error, causes = (None, "") if other is None else error_estimate.of(
             scene, name, value, other[0])
@@ -149,7 +154,8 @@ def judge(scene):
             error = of_gauges.get(place, {}).get("peak")
         elif name == "lung_lethality":
             # Its load stands before it.
-            curve, load = name, find(judged, "lung_exposure_air")
+            curve, load = name, find(judged, "lung_exposure_air") or find(
+                judged, SKIN_NAMES["lung_exposure", side])
             of, error = load.value, load.error
         elif name == "lung_exposure_air":
             error = _at_least(error, error_estimate.of_result(
@@ -204,6 +210,25 @@ def has_probe_at_body(scene):
         and abs(math.dist(charge, probe) / distance - 1.) < AS_FAR
 
 
+def lungs_by(scene):
+    """What tells whether lungs kill: the wave at the "probe" beside the body,
+    the load on the "skin" where the trunk is farther from the charge than that
+    probe, as with a charge at the feet, or nothing ("")."""
+    if not has_chest(scene) or not has_probe_at_body(scene):
+        return ""
+    return "skin" if are_far(scene, (*SIDES, *ARMS.values())) else "probe"
+
+
+def are_far(scene, names):
+    """Whether all these gauges on the skin are farther from the charge than the
+    nearest skin."""
+    known, distance = scene.loads(), scene.fact("distance")
+    places = known.places() if known is not None and distance else {}
+    apart = [math.dist(scene.charge_place(), places[name])
+             for name in names if name in places]
+    return bool(apart) and min(apart) > FARTHER * distance
+
+
 def of_file(name, measure, all_known):
     """What is known of a Measure of injury.csv, which has its own limits."""
     known = all_known.get(name, Known(injury_thresholds.title(name), [],
@@ -211,16 +236,21 @@ def of_file(name, measure, all_known):
     return known._replace(limits=measure.limits or known.limits)
 
 
-def _measures_of(run, side, with_air, all_known):
+def _measures_of(run, side, lungs, all_known):
     """Value, unit, and what is known of each measure, by name; @p run: a
-    Scene or its CoarserRun."""
+    Scene or its CoarserRun, @p lungs: see lungs_by()."""
     found = {}
 
     def add(name, value, unit, known):
         found[name] = value, unit, known
 
     _add_skin(run, side, all_known, add)
-    if with_air:
+    load = run.gauge_injury().get(("lung_exposure", side))
+    if lungs == "skin" and load is not None:
+        add("lung_lethality", injury_thresholds.probability(
+            "lung_lethality", load.value), load.unit,
+            all_known["lung_lethality"]._replace(limits=OF_THE_SKIN))
+    if lungs == "probe":
         for (measure, place), one in run.air_injury().items():
             name = AIR_NAMES.get(measure)
             if place == "probe 1" and name is not None:

@@ -59,11 +59,12 @@ def _by_the_numerics(entry):
     return "" if bounds == entry.shown() else f", by the numerics {bounds}"
 
 
-def disagrees(scene, entry):
-    """Whether the tables have another verdict on life than the run, beyond its
-    error."""
+def disagrees(scene, judged):
+    """Whether the tables have another verdict on life than the run at the same
+    place, beyond its error."""
+    entry = injury_table.find(judged, "lung_lethality")
     known, _ = scene.table_answer("lung_lethality")
-    if known is None:
+    if None in (entry, known) or entry.limits == injury_table.OF_THE_SKIN:
         return False
     bounds = entry.bounds() or (entry.value, entry.value)
     words = {_word(LIFE, value) for value in (entry.value, *bounds)}
@@ -77,7 +78,7 @@ def _life(scene, judged):
     words = _word(LIFE, entry.value)
     detail = f"death by lung injury: {entry.shown()}{_by_the_numerics(entry)}"
     kind = injury_table.severity(entry)
-    if disagrees(scene, entry):
+    if disagrees(scene, judged):
         known = page.chance(scene.table_answer("lung_lethality")[0])
         return Verdict("life", "survival is uncertain", "bad",
                        f"death by lung injury: {entry.shown()} by this run"
@@ -93,9 +94,11 @@ def _life(scene, judged):
 
 def _by_the_tables(scene, ears):
     """What the tables say of eardrums in the open and before a wall, where the
-    bounds of no ear reach that; else ""."""
+    bounds of no ear reach that; else "", as for ears that are farther from the
+    charge."""
     known = scene.table_answer("eardrum_rupture")
-    if None in known or any(
+    places = [entry.name.removeprefix("ear_rupture_") for entry in ears]
+    if None in known or injury_table.are_far(scene, places) or any(
             bound[1] >= known[0] and bound[0] <= known[1]
             for bound in (entry.bounds() or 2 * (entry.value,)
                           for entry in ears)):

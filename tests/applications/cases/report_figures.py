@@ -109,6 +109,9 @@ class Files:
                          if ("lung_exposure", side) in self.skin),
                         key=lambda side: self.skin["lung_exposure", side],
                         default="chest")
+        self.air = dict(self.skin)
+        self.trunk_is_far = self._is_trunk_far()
+        self._lungs_by_the_skin(self.skin)
         self.gauges = {}
         if os.path.exists(os.path.join(output, "blast", "load_gauges.csv")):
             rows = read_rows(output, "blast", "load_gauges.csv")
@@ -121,6 +124,7 @@ class Files:
         self.coarser = {row["measure"]: float(row["value"]) for row in
                         read_rows(output, COARSER[1], "injury.csv")}
         self.coarser_places, skin = gauges_of(output, COARSER[0])
+        self._lungs_by_the_skin(skin)
         self.coarser.update({
             name: value
             for value, name in of_skin(skin, self.side).values()})
@@ -162,6 +166,32 @@ class Files:
         away = math.dist([float(x) for x in point],
                          self.scene["charge_place"])
         return abs(away / self.scene["distance"] - 1.) < 0.05
+
+    def _is_trunk_far(self):
+        """Whether chest, back and upper arms are farther from the charge than
+        the nearest skin, by more than 15 %."""
+        apart = [math.dist([float(x) for x in place.split(",")],
+                           self.scene["charge_place"]) for place in re.findall(
+            r"(?:chest|back|upper arm): ([^;]*)", self.entry("blast", "Gauges"))]
+        return bool(apart) and min(apart) > 1.15 * self.scene["distance"]
+
+    def compared(self):
+        """Rows beside the tables, without the lungs of a far trunk."""
+        return [row for row in self.scene.get("table_comparison", [])
+                if not (self.trunk_is_far and row["name"].startswith("lung_"))]
+
+    def load_of_lungs(self):
+        """Name and value of the load from which death by lung injury follows."""
+        key = ("lung_exposure", self.side if self.trunk_is_far else "probe 1")
+        return OF_SKIN[key], self.skin[key]
+
+    def _lungs_by_the_skin(self, skin):
+        """Replaces the wave beside the body by the load on a far trunk."""
+        if self.trunk_is_far and ("lung_exposure", "probe 1") in self.air:
+            skin.pop(("lung_exposure", "probe 1"), None)
+            place = math.log(skin["lung_exposure", self.side]) / 0.1788
+            skin["lung_lethality", "probe 1"] = 0.5 * math.erfc(
+                -place / math.sqrt(2.))
 
     def person(self):
         """Stature and mass in the description of the person, by their units."""
@@ -310,7 +340,7 @@ def _bounds(title, name, value, files):
         return [normal.cdf(1.524 * math.log(factor * files.peak(name)) - 17.6)
                 for factor in factors]
     if name == "lung_lethality":
-        load = files.skin["lung_exposure", "probe 1"]
+        _, load = files.load_of_lungs()
         return [normal.cdf(math.log(factor * load) / 0.1788)
                 for factor in factors]
     if title.startswith("fraction "):
@@ -328,8 +358,7 @@ def _error(name, value, files):
     if name.endswith("ear"):
         return _gauge_errors(files, "peak").get(name)
     if name == "lung_lethality":
-        return _error("lung_exposure_air",
-                      files.skin["lung_exposure", "probe 1"], files)
+        return _error(*files.load_of_lungs(), files)
     is_of_body = name in files.injury
     times = 1. / ((5. / 3. if is_of_body else 2.) ** 0.7 - 1.)
     error = max(0.02, times * abs(files.coarser[name] / value - 1.))
@@ -384,7 +413,7 @@ def check_headline(page, files):
     text, count = _without_chances(text, chances, rows, files)
     text = _without_verdicts(page, text)
     text = re.sub(r"\b(?:HIC15|CSDM15|CSDM25)\b|in \d+ % of cases|AIS [234]|"
-                  "AEP-55", "…", text)
+                  "AEP-55|over the 50 % lethality load", "…", text)
     wanted += _free_air(files) + _afterburn(files) + _loads(files)
     wanted += _energy(files)
     for row in files.scene["audit"]:
@@ -407,15 +436,15 @@ def check_headline(page, files):
 def check_tables(page, files):
     """This run beside the tables, as scene.json has it and the blast has found
     it: the same value in all."""
-    told = files.scene.get("table_comparison", [])
+    told = files.compared()
     if not told:
         return 0
     results = values_of(files.summary["blast"], "results")
     rows = page.table("").rows
     require(len(rows) == len(told), f"{rows} of {told}")
     for cells, row in zip(rows, told):
-        name, count = row["name"], 0
-        known = results.get("probe_1_" + name, files.skin.get(
+        name = row["name"]
+        known = results.get("probe_1_" + name, files.air.get(
             (name, "probe 1"), row["run"]))
         require(abs(known / row["run"] - 1.) < 1e-9, f"{row}, {known}")
         for cell, key in zip(cells[1:], ("run", "tables")):
@@ -502,14 +531,13 @@ def _without_verdicts(page, text):
 def _free_air(files):
     """Differences to the tables that exceed the errors."""
     words = {"peak_overpressure": "the peak overpressure",
-             "lung_exposure": SKIN_TITLES["lung_exposure_air"],
+             "lung_exposure": "the free-field load …",
              "impulse": "the impulse", "duration": "the duration",
              "arrival": "the arrival"}
     return [(rf"{words[row['name']]} is ({report_reader.NUMBER} %) "
              + ("below" if row["run"] < row["tables"] else "above"),
              abs(row["run"] / row["tables"] - 1.))
-            for row in files.scene.get("table_comparison", [])
-            if row["differs"] and row["name"] in words]
+            for row in files.compared() if row["differs"] and row["name"] in words]
 
 
 def _afterburn(files):
