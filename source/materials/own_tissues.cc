@@ -283,6 +283,11 @@ SolidMaterial OwnTissues::apply(const Tissue tissue,
                                 const SolidMaterial &library) const
 {
   const Entries *const entries = find(tissue);
+  if (entries == nullptr && is_new(tissue))
+    throw InputError("\"" + name_of(tissue) +
+                     "\" is no tissue of the library, and no subsection "
+                     "Tissue " +
+                     name_of(tissue) + " gives its properties");
   if (entries == nullptr)
     return library;
   SolidMaterial material = is_new(tissue) ? SolidMaterial() : library;

@@ -114,6 +114,8 @@ TEST(OwnTissues, ANewNameNeedsDensityAndModuli)
   EXPECT_EQ(material.density, 100.);
   EXPECT_FALSE(material.is_viscoelastic());
   EXPECT_FALSE(material.gas.exists());
+  // What one run of a process makes known has no properties in the next one.
+  EXPECT_THROW(physiological(foam, {}), InputError);
   EXPECT_NE(refusal({"cork/Density=100"}).find("Bulk modulus, Shear modulus"),
             std::string::npos);
 }

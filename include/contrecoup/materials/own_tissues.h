@@ -42,7 +42,8 @@ public:
   /**
    * The material of a tissue, with what the entries change.
    * @param library its properties in the library; not used for new tissues
-   * @throws InputError, naming the entries, for what no stable solid has
+   * @throws InputError, naming the entries, for what no stable solid has, and
+   * for a new tissue without entries, which another run of the process made
    */
   SolidMaterial apply(Tissue tissue, const SolidMaterial &library) const;
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/base/parameters/new_tissues.h>
 #include <contrecoup/base/parameters/parameters.h>
 #include <contrecoup/base/parameters/selections.h>
 #include <contrecoup/base/system/text.h>
@@ -143,9 +144,13 @@ namespace coupling
   {
     std::vector<std::string> names;
     for (const BodyPart &part : body.parts())
+    {
+      if (is_new(part.tissue))
+        tissues.apply(part.tissue, {});
       if (std::find(names.begin(), names.end(), name_of(part.tissue)) ==
           names.end())
         names.push_back(name_of(part.tissue));
+    }
     Selections selections;
     for (const Tissue tissue : tissues.tissues())
     {

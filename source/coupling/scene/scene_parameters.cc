@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/parameters/bounds.h>
+#include <contrecoup/base/parameters/new_tissues.h>
 #include <contrecoup/base/parameters/parameters.h>
 #include <contrecoup/base/run/time_parameters.h>
 #include <contrecoup/base/system/exceptions.h>
@@ -314,8 +315,10 @@ void SceneParameters::parse_tissues(ParameterHandler &prm)
   const Section section(prm, "Tissues");
   tissues = prm.get("Set");
   for (const Tissue tissue : own_tissues.tissues())
-    for (const OwnTissues::Change &change :
-         own_tissues.changes(tissue, find_solid_material(tissues, tissue, {})))
+    for (const OwnTissues::Change &change : own_tissues.changes(
+           tissue,
+           is_new(tissue) ? SolidMaterial()
+                          : find_solid_material(tissues, tissue, {})))
       changes.push_back(
         {"Tissues/Tissue " + name_of(tissue) + "/" + change.entry,
          with_unit(change.value, change.unit),

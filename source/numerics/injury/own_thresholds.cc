@@ -151,7 +151,9 @@ void OwnThresholds::parse_parameters(ParameterHandler &prm,
                       measure.path + "/" + thresholds_entry);
     measure.criterion.source =
       own_source + (measure.source.empty() ? "" : ": " + measure.source);
-    measure.criterion.limits = limits(measure.criterion.limits);
+    measure.criterion.limits =
+      "thresholds of the user's own; with those that are published: " +
+      measure.criterion.limits;
     list_.push_back(measure);
   }
 }
@@ -226,12 +228,5 @@ std::vector<Assumption> OwnThresholds::assumptions() const
                      false,
                      own.path});
   return items;
-}
-
-
-std::string OwnThresholds::limits(const std::string &published)
-{
-  return "thresholds of the user's own; with those that are published: " +
-         published;
 }
 } // namespace contrecoup

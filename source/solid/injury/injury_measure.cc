@@ -20,8 +20,12 @@ void apply(const OwnThresholds &own, std::vector<InjuryMeasure> &measures)
     for (InjuryMeasure &measure : measures)
       if (measure.value.name == name)
       {
-        measure.threshold = own.criterion(name).in_words();
-        measure.limits = OwnThresholds::limits(measure.limits);
+        const InjuryCriterion criterion = own.criterion(name);
+        const std::string published = injury_criterion(name).limits;
+        measure.threshold = criterion.in_words();
+        // What else was said of the measure stays.
+        measure.limits.replace(
+          measure.limits.find(published), published.size(), criterion.limits);
       }
 }
 

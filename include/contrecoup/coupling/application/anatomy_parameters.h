@@ -42,7 +42,8 @@ namespace coupling
   OwnTissues read_own_tissues(dealii::ParameterHandler &prm);
 
   /// @throws InputError for a tissue with entries of its own in subsection
-  /// "Tissues" that no part of the body has
+  /// "Tissues" that no part of the body has, and for a new tissue of the body
+  /// without entries
   void require_parts(const OwnTissues &tissues, const Body &body);
 } // namespace coupling
 } // namespace contrecoup

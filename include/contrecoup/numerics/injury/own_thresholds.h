@@ -53,9 +53,6 @@ public:
   /// Items for the plan of a run.
   std::vector<Assumption> assumptions() const;
 
-  /// Limits of validity of a measure whose thresholds are the user's own.
-  static std::string limits(const std::string &published);
-
 private:
   struct Measure
   {
