@@ -585,6 +585,8 @@ class ReportTest(unittest.TestCase):
             "    set Source = our ward\n  end\n"
             "  subsection Measure injury_intracranial_pressure_peak\n"
             "    set Thresholds = 1e9: harm\n  end\n"
+            "  subsection Measure chest_wall_back\n"
+            "    set Thresholds = 1: bruise\n  end\n"
             "  subsection Measure ear_rupture\n"
             "    set Thresholds = 1e-6: too loud\n  end\nend\n")
         published, own = (
@@ -606,7 +608,9 @@ class ReportTest(unittest.TestCase):
                              if name.startswith("ear_rupture")})
         made = Made(folder)
         self.expect(text_of(made.page), "HIC15 as for headache",
-                    "1: headache 5000: concussion the user's own: our ward")
+                    "1: headache 5000: concussion the user's own: our ward",
+                    "judge nothing, since the table of injuries lacks "
+                    "chest_wall_back.")
         with open(os.path.join(folder, "report.json"),
                   encoding="utf-8") as file:
             told = {one["name"]: one for one in json.load(file)["measures"]}

@@ -11,7 +11,7 @@ from plot.readers.scene import COARSER
 from plot.report import (injury_table, load_impulses, page, reflections,
                          verdict)
 from plot.report.energy_audit import EnergyAudit
-from plot.report.injury_thresholds import KNOWN
+from plot.report.injury_thresholds import KNOWN, of_run
 
 LARGE_LOAD_DIFFERENCE = 0.02  # of impulses on skin and elements
 LONG_ENOUGH = 0.01  # s, until the largest strains that a front causes
@@ -202,7 +202,7 @@ def _certainty(scene, judged):
     parts += _tables(scene, judged) + _verdicts(scene, judged)
     parts += _afterburn(scene)
     parts += _loads(scene) + EnergyAudit(scene).reservations() + _limits(scene)
-    parts += _cut_phases(scene)
+    parts += _cut_phases(scene) + _unused_thresholds(scene, judged)
     if any(entry.name == "injury_strain_95" for entry in judged):
         parts.append(
             "No limit of brain pressure or strain is agreed on for blast: the "
@@ -278,6 +278,17 @@ def _verdicts(scene, judged):
             + f" of {page.counted(len(known), 'verdict')}"
             + (": " + page.joined(entry.short_title() for entry in open_ones)
                if open_ones else "") + "."]
+
+
+def _unused_thresholds(scene, judged):
+    """Thresholds of the user for what the table of injuries does not have, as
+    of a side that is turned away from the charge."""
+    used = {"ear_rupture" if entry.name.startswith("ear_rupture_")
+            else entry.name for entry in judged}
+    unused = [name for name, known in of_run(scene).items()
+              if known.is_own and name not in used]
+    return ["Thresholds of the user's own judge nothing, since the table of "
+            f"injuries lacks {page.joined(unused)}."] if unused else []
 
 
 def _afterburn(scene):

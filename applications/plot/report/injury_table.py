@@ -135,8 +135,7 @@ def judge(scene):
     """All measures, those of the skin first."""
     side = loaded_side(scene)
     lungs = lungs_by(scene)
-    all_known = injury_thresholds.known_by(scene.parameters,
-                                           scene.biomechanics.parameters)
+    all_known = injury_thresholds.of_run(scene)
     coarser = {} if scene.coarser is None else _measures_of(
         scene.coarser, side, lungs, all_known)
     of_gauges = error_estimate.of_scene_gauges(scene)

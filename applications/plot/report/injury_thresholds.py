@@ -86,6 +86,11 @@ def known_by(*parameters):
     return found
 
 
+def of_run(scene):
+    """The same of a scene."""
+    return known_by(scene.parameters, scene.biomechanics.parameters)
+
+
 def _with_own(published, text, source):
     """A measure with thresholds "value: meaning; ...", and where they are
     from."""
