@@ -5,7 +5,14 @@ set(_first_look "Scene/Accuracy=first look" "Scene/End time=0.0026"
 
 contrecoup_add_application_test(main_job main_job FILE scene/quickstart.prm
   MPI 2 CORES 1 TIMEOUT 1800 SET ${_first_look})
-# Its report in a browser without a window.
+# Six small scenes: each quantity has one value in all that they leave and print.
+contrecoup_add_application_test(one_number one_number FILE scene/quickstart.prm
+  RANKS 2 TIMEOUT 900
+  SET "Scene/Accuracy=first look" "Scene/Cell size=0.08" "Scene/Element size=0.02"
+    "Scene/Forecast=false" "Blast/Output/Fields interval=1e-3"
+    "Biomechanics/Output/Fields interval=1e-3" "Blast/Output/Pictures=false"
+    "Anatomy/Output/Pictures=false")
+# The report of the first one in a browser without a window.
 _contrecoup_register_test(scene_main_job_page TIMEOUT 900 LABELS main_job
   COMMAND ${PROJECT_SOURCE_DIR}/tests/plot/page_checks.py
     scene_main_job/run/report.html)

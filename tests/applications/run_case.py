@@ -28,6 +28,7 @@ import full_disk
 import load_cases
 import machine_cases
 import main_job_cases
+import number_cases
 import picture_cases
 import resume_cases
 import samples
@@ -385,7 +386,8 @@ KINDS.update({name: of_module(kind)
                                  **load_cases.KINDS,
                                  **folder_cases.KINDS,
                                  **scene_cases.KINDS,
-                                 **main_job_cases.KINDS}.items()})
+                                 **main_job_cases.KINDS,
+                                 **number_cases.KINDS}.items()})
 
 
 def parse(arguments):

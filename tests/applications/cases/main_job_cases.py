@@ -27,6 +27,7 @@ PEAKS = {
     # surface are warped with the organs.
     "scene_main_job_surface": {"chest": (824662., 805168., 0.024),
                                "forehead": (705324., 659336., 0.070)}}
+ARRIVED = 1e-3 * 101325.  # Pa; what is weaker has not arrived
 LONGEST_SCREEN = 25  # lines
 # A person of another stature and mass than the phantom's.
 OTHER_PERSON = ["Body/Phantom/Stature=1.62", "Body/Phantom/Mass=58",
@@ -163,6 +164,9 @@ def check_summary(files):
         if name == "time" or blast[key + "_time"] >= files.gauges["time"][-1]:
             continue
         largest = max(samples)
+        if blast[key] == 0.:
+            require(largest < ARRIVED, f"{key} is 0, the table has {largest}")
+            continue
         at = samples.index(largest)
         beside = samples[max(at - 2, 0):at + 3]
         lack = blast[key] / largest - 1.
