@@ -247,6 +247,130 @@ TEST(InsertedOrgans, RequireOneWholeAdult)
 }
 
 
+namespace
+{
+ShapePointer moved(const ShapePointer &shape, const Point<3> &shift)
+{
+  return std::make_shared<PlacedShape>(
+    shape, Placement(1., dealii::Tensor<1, 3>(), shift));
+}
+
+
+ShapePointer with_neck(const double radius)
+{
+  return std::make_shared<Union>(std::vector<ShapePointer>{
+    donor().surface(),
+    std::make_shared<Cylinder>(
+      Point<3>(0., 0., 1.35), Point<3>(0., 0., 1.66), radius)});
+}
+
+
+/// The donor's trunk and head on a seat 0.4 m high, thighs along x, and the
+/// donor's lower legs before it.
+ShapePointer seated_man()
+{
+  const double far = 3., seat = 0.4, knee = 0.48;
+  std::vector<ShapePointer> parts{
+    moved(cut(donor().surface(), {-far, -far, 0.84}, {far, far, far}),
+          {0., 0., seat - 0.84}),
+    moved(cut(donor().surface(), {-far, -far, 0.}, {far, far, knee}),
+          {0.42, 0., 0.})};
+  for (const double side : {0.1, -0.1})
+    parts.push_back(std::make_shared<RoundedBox>(
+      Point<3>(0.22, side, 0.47), Point<3>(0.26, 0.08, 0.07), 0.06));
+  return std::make_shared<Union>(parts);
+}
+} // namespace
+
+
+TEST(InsertedOrgans, FitAThickNeck)
+{
+  const BodyPointer man =
+    insert_organs(filled(with_neck(0.07)), donor(), allowing(0.03));
+  EXPECT_TRUE(man->organ_fit()->holds());
+  const double brain = volumes(donor(), 0.006).at("brain");
+  EXPECT_NEAR(volumes(*man, 0.006).at("brain"), brain, 0.05 * brain);
+  // As wide as the head: a person may say where the neck is.
+  const ShapePointer wide = with_neck(0.1);
+  EXPECT_NE(refusal(wide).find("the least section of trunk and head is at"),
+            std::string::npos);
+  EXPECT_NE(refusal(wide).find("Body/Surface/Neck height says where it is"),
+            std::string::npos);
+  OrganInsertion insertion = allowing(0.03);
+  insertion.neck_height = 1.49;
+  EXPECT_GT(
+    insert_organs(filled(wide), donor(), insertion)->organ_fit()->inside, 0.97);
+  insertion.neck_height = 0.9;
+  EXPECT_THROW(insert_organs(filled(wide), donor(), insertion), InputError);
+}
+
+
+TEST(InsertedOrgans, FitAChild)
+{
+  dealii::ParameterHandler prm;
+  Phantom::declare_parameters(prm);
+  prm.set("Stature", "1.4");
+  prm.set("Mass", "35");
+  prm.set("Head scale", "1.15");
+  Phantom description;
+  description.parse_parameters(prm);
+  const auto skin = std::make_shared<PlacedShape>(
+    description.create()->surface(),
+    Placement(0.8, dealii::Tensor<1, 3>(), dealii::Tensor<1, 3>()));
+  OrganInsertion insertion = allowing(0.05);
+  const BodyPointer child = insert_organs(filled(skin), donor(), insertion);
+  EXPECT_NEAR(child->surface()->bounding_box().side_length(2), 1.12, 0.05);
+  EXPECT_GT(child->organ_fit()->inside, 0.95);
+  EXPECT_GT(child->organ_fit()->brain_cover, OrganFit::least_cover);
+  // A child's head is large for its height.
+  EXPECT_GT(volumes(*child, 0.005).at("brain"), 0.5e-3);
+}
+
+
+TEST(InsertedOrgans, BendTheLegsOfWhoSits)
+{
+  const ShapePointer skin = seated_man();
+  const PersonRegions regions = find_regions(*skin);
+  ASSERT_TRUE(regions.thigh_height);
+  EXPECT_NEAR(*regions.thigh_height, 0.47, 0.03);
+  EXPECT_NEAR(regions.stature(), 1.756, 0.1);
+  EXPECT_FALSE(find_regions(*donor().surface()).thigh_height);
+
+  const BodyPointer person =
+    insert_organs(filled(skin), donor(), allowing(0.1));
+  const auto bones = std::find_if(donor().parts().begin(),
+                                  donor().parts().end(),
+                                  [](const BodyPart &part) {
+                                    return part.name == "leg bones";
+                                  }) -
+                     donor().parts().begin();
+  // Bones lie along both thighs and stand in both lower legs, and no others
+  // are there.
+  for (const double side : {0.1, -0.1})
+  {
+    const auto is_bone = [&](const double x, const double z) {
+      for (double y = side - 0.05; y < side + 0.05; y += 0.004)
+        for (double d = -0.05; d < 0.05; d += 0.004)
+          if (person->part_at(x > 0.38 ? Point<3>(x + d, y, z)
+                                       : Point<3>(x, y, z + d)) == bones)
+            return true;
+      return false;
+    };
+    for (const double x : {0.1, 0.2, 0.3})
+      EXPECT_TRUE(is_bone(x, 0.47)) << x << " " << side;
+    for (const double z : {0.1, 0.2, 0.3, 0.4})
+      EXPECT_TRUE(is_bone(0.42, z)) << z << " " << side;
+  }
+  EXPECT_GT(person->organ_fit()->inside, 0.93);
+  EXPECT_NE(person->remarks()[1].find("the person sits"), std::string::npos);
+  std::map<std::string, Point<3>> places;
+  for (const Landmark &landmark : person->landmarks())
+    places[landmark.name] = landmark.place;
+  EXPECT_NEAR(places.at("left thigh")[2], 0.54, 0.03);
+  EXPECT_NEAR(places.at("left shin")[0], 0.48, 0.05);
+}
+
+
 TEST(PersonPosture, FacingIsFoundInEightDirections)
 {
   for (int i = 0; i < 8; ++i)

@@ -52,6 +52,16 @@ namespace
   }
 
 
+  /// Whether the knees are bent: from shin to thigh it is not straight up.
+  bool are_legs_bent(const Body &body, const Tensor<1, 3> &up)
+  {
+    const auto shin = find_landmark(body, "left shin");
+    const auto thigh = find_landmark(body, "left thigh");
+    return shin && thigh &&
+           (*thigh - *shin) * up < 0.85 * thigh->distance(*shin);
+  }
+
+
   /// Axes of phantom and images, which face +x before they are rotated.
   PersonAxes axes_by_rotation(const Tensor<1, 3> &angles)
   {
@@ -85,7 +95,10 @@ Person::Person(dealii::ParameterHandler &prm,
   , mass_(mass)
 {
   if (kind_ == "surface")
+  {
     axes_ = axes_by_landmarks(body);
+    is_seated_ = axes_ && are_legs_bent(body, axes_->up);
+  }
   else if (kind_ == "phantom" || kind_ == "image")
     axes_ = axes_by_rotation(Placement::read_rotation(prm));
   const auto box = body.surface()->bounding_box();
@@ -107,7 +120,7 @@ std::string Person::posture() const
     return "";
   const double upright = axes_->up[2];
   if (upright > nearly)
-    return "standing";
+    return is_seated_ ? "seated" : "standing";
   if (upright < -nearly)
     return "upside down";
   return std::abs(upright) < 0.3 ? "lying" : "inclined";

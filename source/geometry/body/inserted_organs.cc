@@ -37,7 +37,7 @@ namespace
     {
       throw InputError(
         "Body/Surface/Organs = phantom: the surface must be that of one person "
-        "from the soles to the vertex who stands or lies, but " +
+        "from the soles to the vertex who stands, sits or lies, but " +
         std::string(error.what()) +
         "; Body/Surface/Organs = none takes it as one tissue");
     }
@@ -81,6 +81,9 @@ namespace
              "Body/Surface/Rotation = " +
                rotation + "; Body/Surface/Posture = as given prevents it"
            : "; Body/Surface/Posture = standing would stand them up"));
+    if (person.regions.thigh_height)
+      remarks.push_back("the person sits: thighs and lower legs have bones of "
+                        "their own");
     if (!person.regions.has_arm[0] || !person.regions.has_arm[1])
       remarks.push_back("an arm could not be told from the trunk, which its "
                         "bones therefore follow; arms that are apart from the "
@@ -153,7 +156,34 @@ namespace
   }
 
 
-  std::vector<PartShape> warp_organs(const ShapeBody &donor, const Warps &warps)
+  /// Bones of the legs of who sits, bent at the knees.
+  /// @param knee height of the donor's knees [m]
+  ShapePointer
+  bend_legs(const ShapePointer &bones, const Warps &warps, const double knee)
+  {
+    // Both ends reach a little beyond the knee, so that they meet.
+    constexpr double far = 10., overlap = 0.02;
+    std::vector<ShapePointer> parts;
+    for (const double side : {1., -1.})
+    {
+      const Region first = side > 0. ? Region::left_thigh : Region::left_leg;
+      parts.push_back(
+        warp_sides(std::make_shared<Intersection>(
+                     bones,
+                     std::make_shared<RoundedBox>(
+                       Point<3>(0., 0., knee + side * (far - overlap)),
+                       Point<3>(far, far, far))),
+                   warps[static_cast<unsigned int>(first)],
+                   warps[static_cast<unsigned int>(first) + 1]));
+    }
+    return std::make_shared<Union>(parts);
+  }
+
+
+  std::vector<PartShape> warp_organs(const ShapeBody &donor,
+                                     const PersonRegions &donor_regions,
+                                     const PersonRegions &person,
+                                     const Warps &warps)
   {
     const auto warp = [&](const Region region) {
       return warps[static_cast<unsigned int>(region)];
@@ -167,6 +197,8 @@ namespace
       if (part.part.name == "arm bones")
         shape = warp_sides(
           part.shape, warp(Region::left_arm), warp(Region::right_arm));
+      else if (part.part.name == "leg bones" && person.thigh_height)
+        shape = bend_legs(part.shape, warps, donor_regions.knee());
       else if (part.part.name == "leg bones")
         shape = warp_sides(
           part.shape, warp(Region::left_leg), warp(Region::right_leg));
@@ -286,7 +318,8 @@ BodyPointer insert_organs(const Body &recipient,
       donor,
       PlacedShape(without_steps(recipient.surface()), to_standing),
       insertion.scale);
-  std::vector<PartShape> part_shapes = warp_organs(donor, warps);
+  std::vector<PartShape> part_shapes =
+    warp_organs(donor, donor_regions, person.regions, warps);
   organ_fit.inside = part_inside(part_shapes, *standing);
   if (1. - organ_fit.inside > insertion.largest_loss)
     throw InputError(
@@ -310,7 +343,11 @@ BodyPointer insert_organs(const Body &recipient,
   std::vector<Landmark> landmarks = donor.landmarks();
   for (Landmark &landmark : landmarks)
   {
-    const Region region = region_at(donor_regions, landmark.place);
+    Region region = region_at(donor_regions, landmark.place);
+    if (landmark.place[2] > donor_regions.knee())
+      region = region == Region::left_leg    ? Region::left_thigh
+               : region == Region::right_leg ? Region::right_thigh
+                                             : region;
     landmark.place = skin->project(back.apply(
       warps[static_cast<unsigned int>(region)].apply(landmark.place)));
   }

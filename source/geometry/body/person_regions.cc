@@ -3,8 +3,7 @@
 
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
-#include <contrecoup/geometry/body/person_layers.h>
-#include <contrecoup/geometry/body/person_regions.h>
+#include <contrecoup/geometry/body/person_legs.h>
 
 #include <queue>
 
@@ -14,34 +13,20 @@ using dealii::Point;
 
 namespace
 {
-  Region leg_of(const unsigned int side)
-  {
-    return side == 0 ? Region::left_leg : Region::right_leg;
-  }
-
-
   Region arm_of(const unsigned int side)
   {
     return side == 0 ? Region::left_arm : Region::right_arm;
   }
 
 
-  class RegionFinder : private PersonLayers
+  class RegionFinder : private PersonLegs
   {
   public:
-    using PersonLayers::PersonLayers;
+    using PersonLegs::PersonLegs;
     PersonRegions find(std::optional<double> neck_height);
 
   private:
-    bool is(const std::size_t voxel, const Region region) const
-    {
-      return grid_.labels[voxel] == static_cast<unsigned char>(region);
-    }
-    void find_legs();
-    void label_feet(unsigned int begin);
-    void label_halves(const Patch &patch, double middle);
     void find_trunk();
-    void raise_crotch();
     std::vector<float> distances_from_axis() const;
     void find_arm(unsigned int side, const std::vector<float> &distances);
     void find_hanging_arm(unsigned int side);
@@ -51,90 +36,7 @@ namespace
     std::vector<std::size_t> trunk_areas() const;
     void find_neck();
     void set_neck(double height);
-
-    PersonRegions result_;
-    std::vector<int> trunk_; ///< patch of the trunk, by layer
   };
-
-
-  void RegionFinder::label_halves(const Patch &patch, const double middle)
-  {
-    for (const std::size_t voxel : patch.voxels)
-    {
-      const unsigned int j = column(voxel);
-      grid_.labels[voxel] = static_cast<unsigned char>(
-        leg_of(grid_.center(0, j, 0)[1] > middle ? 0 : 1));
-    }
-  }
-
-
-  /// Gives what is below the layer @p begin to the leg above it; to both,
-  /// divided between them, where it is below both or none.
-  void RegionFinder::label_feet(const unsigned int begin)
-  {
-    std::array<double, 2> places{{0., 0.}};
-    for (unsigned int layer = begin; layer-- > sole_;)
-    {
-      std::array<double, 2> sums{{0., 0.}}, counts{{0., 0.}};
-      for (std::size_t voxel = (layer + 1) * layer_size();
-           voxel < (layer + 2) * layer_size();
-           ++voxel)
-        for (const unsigned int side : {0, 1})
-          if (is(voxel, leg_of(side)))
-          {
-            sums[side] += grid_.center(0, column(voxel), 0)[1];
-            counts[side] += 1.;
-          }
-      for (const unsigned int side : {0, 1})
-        if (counts[side] > 0.)
-          places[side] = sums[side] / counts[side];
-      for (const Patch &patch : patches_[layer])
-      {
-        std::array<bool, 2> is_below{{false, false}};
-        for (const std::size_t voxel : patch.voxels)
-          for (const unsigned int side : {0, 1})
-            if (is(voxel + layer_size(), leg_of(side)))
-              is_below[side] = true;
-        const double far = grid_.size[1] * grid_.spacing;
-        const double middle = 0.5 * (places[0] + places[1]);
-        label_halves(patch,
-                     is_below[0] == is_below[1] ? middle
-                     : is_below[0]              ? middle - far
-                                                : middle + far);
-      }
-    }
-  }
-
-
-  void RegionFinder::find_legs()
-  {
-    // Below the knees, hands and skirts rarely reach.
-    const unsigned int begin = sole_ + std::lround(0.25 * n_layers_);
-    const std::vector<int> legs = find_two("leg", begin);
-    const unsigned int most = sole_ + std::lround(0.58 * n_layers_);
-    const double far = std::numeric_limits<double>::max();
-    int left = legs.front(), right = legs.back();
-    unsigned int layer = begin;
-    for (; left != right && layer < most; ++layer)
-    {
-      label_halves(patches_[layer][left], -far);
-      label_halves(patches_[layer][right], far);
-      left = above(patches_[layer][left], layer + 1);
-      right = above(patches_[layer][right], layer + 1);
-      if (left < 0 || right < 0)
-        throw InputError("a leg ends at " +
-                         brief(100. * (layer - sole_) / n_layers_, 2) +
-                         " % of its height");
-    }
-    if (left != right)
-      throw InputError("its legs do not join below 58 % of its height");
-    result_.crotch = layer;
-    trunk_.assign(grid_.size[2], -1);
-    trunk_[layer] = left;
-    if (layer == begin)
-      label_halves(patches_[layer][left], patches_[layer][left].y);
-    label_feet(begin);
-  }
 
 
   /// Follows the trunk upwards: of several patches above one, the nearest.
@@ -172,26 +74,6 @@ namespace
   }
 
 
-  /// Thighs that touch each other are legs up to the usual height of the
-  /// crotch.
-  void RegionFinder::raise_crotch()
-  {
-    // Parts of the stature; 0.837 of 1.756 m in the survey that the phantom is
-    // of, recalled.
-    constexpr double least = 0.465, usual = 0.477;
-    const unsigned int height = result_.vertex - sole_;
-    if (result_.crotch >= sole_ + least * height)
-      return;
-    const unsigned int crotch = sole_ + std::lround(usual * height);
-    for (unsigned int layer = result_.crotch; layer < crotch; ++layer)
-    {
-      const Patch &patch = patches_[layer][trunk_[layer]];
-      label_halves(patch, patch.y);
-    }
-    result_.crotch = crotch;
-  }
-
-
   /// Lengths of paths from the axis of trunk and head, in voxels; 0 for what
   /// belongs to a leg or is outside.
   std::vector<float> RegionFinder::distances_from_axis() const
@@ -205,8 +87,7 @@ namespace
       const Patch &patch = patches_[layer][trunk_[layer]];
       for (const std::size_t voxel : patch.voxels)
       {
-        const Point<3> place =
-          grid_.center(voxel % grid_.size[0], column(voxel), layer);
+        const Point<3> place = place_of(voxel);
         if (std::hypot(place[0] - patch.x, place[1] - patch.y) <
             0.02 * n_layers_ * grid_.spacing)
           queue.push({distances[voxel] = 0.f, voxel});
@@ -428,6 +309,23 @@ namespace
     return result_;
   }
 } // namespace
+
+
+double PersonRegions::stature() const
+{
+  // Sitting height over stature, recalled from the survey that the phantom is
+  // of.
+  constexpr double sitting = 0.52;
+  return grid.spacing *
+         (thigh_height ? (vertex - crotch) / sitting : vertex - sole);
+}
+
+
+double PersonRegions::knee() const
+{
+  constexpr double part = 0.273; // of the phantom's stature
+  return grid.origin[2] + grid.spacing * sole + part * stature();
+}
 
 
 PersonRegions find_regions(const Shape &surface,

@@ -155,27 +155,26 @@ namespace
   }
 
 
-  double stature_of(const PersonRegions &regions)
-  {
-    return height_of(regions, regions.vertex) -
-           height_of(regions, regions.sole);
-  }
+  /// Height of the hips above the soles, over the stature.
+  constexpr double hip_height = 0.515;
 
 
-  Limb measure_leg(const PersonRegions &regions, const Region region)
+  /// @param top height of the upper end [m]
+  Limb measure_leg(const PersonRegions &regions,
+                   const Region region,
+                   const double top)
   {
     Limb leg;
     const LimbRuler ruler(regions, region, leg.frame);
     const double sole = height_of(regions, regions.sole);
-    const double crotch = height_of(regions, regions.crotch);
-    const double stature = stature_of(regions);
+    const double stature = regions.stature();
     const double toes =
       long_direction(ruler.between(sole, sole + 0.04 * stature));
     for (const double part : {0.01, 0.03, 0.05, 0.07, 0.09, 0.11, 0.13, 0.16,
                               0.20, 0.25, 0.30, 0.35, 0.40, 0.45, 0.50, 0.55,
                               0.60, 0.65, 0.70, 0.75, 0.80, 0.85, 0.90, 0.96})
     {
-      const double station = sole + part * (crotch - sole);
+      const double station = sole + part * (top - sole);
       const double weight = 1. - ramp((station - sole) / stature / 0.03 - 1.5);
       leg.sections.push_back(
         make_section(station, ruler.near(station), weight * toes));
@@ -196,7 +195,7 @@ namespace
       trunk.sections.push_back(make_section(station, ruler.near(station), 0.));
     }
     const double vertex = height_of(regions, regions.vertex);
-    const double stature = stature_of(regions);
+    const double stature = regions.stature();
     const Moments cranium =
       ruler.between(vertex - 0.065 * stature, vertex - 0.02 * stature);
     trunk.sections.push_back(make_section(vertex, cranium, 0.));
@@ -251,7 +250,7 @@ namespace
     constexpr double usual_length = 0.407; // over the stature, of the phantom
     Point<3> tip = regions.arm_tip[side];
     if (!regions.has_hand[side])
-      tip = joint + usual_length * stature_of(regions) / joint.distance(tip) *
+      tip = joint + usual_length * regions.stature() / joint.distance(tip) *
                       (tip - joint);
     arm.frame = arm_frame(joint, tip);
     const LimbRuler ruler(
@@ -310,11 +309,11 @@ namespace
     std::vector<SectionPair> pairs = warp_limb(from, to).pairs();
     const SectionPair vertex = pairs.back();
     SectionPair base = vertex;
-    const double length = 0.086 * stature_of(from_regions);
+    const double length = 0.086 * from_regions.stature();
     base.station -= length;
     base.new_station -= std::sqrt(base.ratio[0] * base.ratio[1]) * length;
     pairs.pop_back();
-    const double gap = 0.005 * stature_of(to_regions);
+    const double gap = 0.005 * to_regions.stature();
     while (pairs.back().station > base.station ||
            pairs.back().new_station > base.new_station - gap)
       pairs.pop_back();
@@ -345,33 +344,116 @@ namespace
     }
     return SectionWarp(leg.frame(), leg.new_frame(), pairs);
   }
+
+
+  /// Frame of the thigh of who sits, from the knee to the hip: that of a
+  /// standing person, bent forward.
+  SectionFrame thigh_frame(const Point<3> &knee, const Point<3> &hip)
+  {
+    SectionFrame frame;
+    frame.origin = knee;
+    frame.along = (hip - knee) / knee.distance(hip);
+    frame.first = Point<3>::unit_vector(2);
+    frame.first -= (frame.first * frame.along) * frame.along;
+    frame.first /= frame.first.norm();
+    frame.second = cross_product_3d(frame.along, frame.first);
+    return frame;
+  }
+
+
+  /// A thigh of who sits begins in the middle of the knee, where the lower leg
+  /// ends, and ends in the joint of the hip, which goes with the trunk.
+  SectionWarp warp_thigh(const PersonRegions &from,
+                         const PersonRegions &to,
+                         const unsigned int side,
+                         const SectionWarp &lower_leg,
+                         const SectionWarp &trunk)
+  {
+    const auto of_side = [&](const Region left, const Region right) {
+      return side == 0 ? left : right;
+    };
+    const double stature = from.stature(), begin = from.knee();
+    const double length =
+      height_of(from, from.sole) + hip_height * stature - begin;
+    const LimbRuler ruler(
+      from, of_side(Region::left_leg, Region::right_leg), SectionFrame());
+    const Moments knee = ruler.near(begin);
+    // Between the joints of both hips, over the stature.
+    constexpr double distance = 0.1;
+    const Point<3> hip(
+      0., (side == 0 ? 0.5 : -0.5) * distance * stature, begin + length);
+    const Point<3> new_knee = lower_leg.apply({knee.u, knee.v, begin});
+    const Point<3> new_hip = trunk.apply(hip);
+    const double new_length = new_knee.distance(new_hip);
+    const SectionFrame frame = thigh_frame(new_knee, new_hip);
+    const LimbRuler new_ruler(
+      to, of_side(Region::left_thigh, Region::right_thigh), frame);
+
+    std::vector<SectionPair> pairs{lower_leg.at(begin)};
+    for (const double part : {0.1, 0.2, 0.3, 0.4, 0.5, 0.6})
+      pairs.push_back(make_pair(
+        make_section(
+          begin + part * length, ruler.near(begin + part * length), 0.),
+        make_section(
+          part * new_length, new_ruler.near(part * new_length), 0.)));
+    pairs.push_back(trunk.at(hip[2]));
+    pairs.front().center[0] = knee.u;
+    pairs.front().center[1] = knee.v;
+    pairs.back().center[0] = hip[0];
+    pairs.back().center[1] = hip[1];
+    pairs.front().new_station = 0.;
+    pairs.back().new_station = new_length;
+    for (SectionPair *end : {&pairs.front(), &pairs.back()})
+    {
+      end->new_center[0] = end->new_center[1] = 0.;
+      end->ratio[0] = end->ratio[1] = std::sqrt(end->ratio[0] * end->ratio[1]);
+      end->turn = end->new_turn = 0.;
+    }
+    return SectionWarp(SectionFrame(), frame, pairs);
+  }
+
+
+  /// Legs of a person who stands, or lower legs and thighs of one who sits.
+  void warp_leg(const PersonRegions &from,
+                const PersonRegions &to,
+                const unsigned int side,
+                std::array<SectionWarp, n_regions> &warps)
+  {
+    const auto at = [&](const Region left) -> SectionWarp & {
+      return warps[static_cast<unsigned int>(left) + side];
+    };
+    const Region region = side == 0 ? Region::left_leg : Region::right_leg;
+    const SectionWarp &trunk = warps[static_cast<unsigned int>(Region::trunk)];
+    SectionWarp &leg = at(Region::left_leg), &thigh = at(Region::left_thigh);
+    if (to.thigh_height)
+    {
+      leg = warp_limb(measure_leg(from, region, from.knee()),
+                      measure_leg(to, region, *to.thigh_height));
+      thigh = warp_thigh(from, to, side, leg, trunk);
+      return;
+    }
+    leg = join_to_trunk(
+      warp_limb(measure_leg(from, region, height_of(from, from.crotch)),
+                measure_leg(to, region, height_of(to, to.crotch))),
+      trunk);
+    thigh = leg;
+  }
 } // namespace
-
-
-Limb measure_limb(const PersonRegions &regions, const Region region)
-{
-  if (region == Region::trunk)
-    return measure_trunk(regions);
-  if (region == Region::left_leg || region == Region::right_leg)
-    return measure_leg(regions, region);
-  return measure_arm(regions, region == Region::left_arm ? 0 : 1);
-}
 
 
 std::array<SectionWarp, n_regions> warp_between(const PersonRegions &from,
                                                 const PersonRegions &to)
 {
   const SectionWarp trunk = warp_trunk(from, to);
-  std::array<SectionWarp, n_regions> warps{{trunk, trunk, trunk, trunk, trunk}};
-  for (unsigned int i = 1; i < n_regions; ++i)
+  std::array<SectionWarp, n_regions> warps{
+    {trunk, trunk, trunk, trunk, trunk, trunk, trunk}};
+  for (const unsigned int side : {0, 1})
   {
-    const Region region = static_cast<Region>(i);
-    const Limb a = measure_limb(from, region), b = measure_limb(to, region);
-    if (a.sections.empty() || b.sections.empty())
-      continue;
-    warps[i] = warp_limb(a, b);
-    if (region == Region::left_leg || region == Region::right_leg)
-      warps[i] = join_to_trunk(warps[i], trunk);
+    const Limb arm = measure_arm(from, side), other = measure_arm(to, side);
+    if (!arm.sections.empty() && !other.sections.empty())
+      warps[static_cast<unsigned int>(Region::left_arm) + side] =
+        warp_limb(arm, other);
+    warp_leg(from, to, side, warps);
   }
   return warps;
 }

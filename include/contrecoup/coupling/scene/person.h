@@ -46,7 +46,7 @@ public:
     return axes_;
   }
 
-  /// standing, lying, upside down, or inclined; empty without axes.
+  /// standing, seated, lying, upside down, or inclined; empty without axes.
   std::string posture() const;
 
   /// Side that is turned to the charge, as the person would name it: front,
@@ -76,6 +76,7 @@ public:
 private:
   std::string kind_;
   std::optional<PersonAxes> axes_;
+  bool is_seated_ = false;
   dealii::Tensor<1, 3> to_charge_; ///< from the middle of the body [m]
   double length_;
   double mass_;

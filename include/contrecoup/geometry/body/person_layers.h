@@ -54,11 +54,14 @@ protected:
     return factor * n_layers_ * n_layers_;
   }
 
-  /// Whether a voxel is inside and no wall.
+  /// Whether a voxel is inside, has no region yet, and is no wall.
   bool is_open(const std::size_t voxel) const
   {
-    return grid_.labels[voxel] != LabelGrid::outside && !is_wall_[voxel];
+    return grid_.labels[voxel] == unknown_ && !is_wall_[voxel];
   }
+
+  /// Divides each layer into patches of open voxels.
+  void find_patches();
 
   dealii::Point<3> center(const std::vector<std::size_t> &voxels) const;
 
@@ -79,7 +82,6 @@ protected:
 private:
   std::size_t count_inside(unsigned int layer) const;
   void keep_one_piece();
-  void find_patches();
   void put_walls();
   int find_gap(const std::vector<unsigned int> &thickness,
                unsigned int outer,

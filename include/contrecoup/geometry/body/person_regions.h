@@ -18,27 +18,38 @@ enum class Region : unsigned char
   trunk, ///< with neck and head
   left_arm,
   right_arm,
-  left_leg,
-  right_leg
+  left_leg, ///< of who sits, below the thighs
+  right_leg,
+  left_thigh, ///< of who sits
+  right_thigh
 };
 
-constexpr unsigned int n_regions = 5;
+constexpr unsigned int n_regions = 7;
 
-/// Voxels of a standing person who faces +x, by region.
+/// Voxels of an upright person who faces +x, by region.
 struct PersonRegions
 {
   LabelGrid grid; ///< labels are numbers of Region, or LabelGrid::outside
 
   /// Heights, as layers of the grid: the lowest layer of the body, the first
-  /// in which the legs are one, that of the least section of the neck, and the
-  /// one above the vertex.
+  /// in which the legs are one (that of the seat of who sits), that of the
+  /// least section of the neck, and the one above the vertex.
   unsigned int sole = 0, crotch = 0, neck = 0, vertex = 0;
+
+  /// Of who sits: height of the middle of the thighs at the knees [m].
+  std::optional<double> thigh_height;
 
   /// Of the left and the right arm: whether it was told from the trunk, also
   /// at the hand, and the centres of its highest known voxels next to the trunk
   /// and of those at its tip, or nearest to a hand that touches the trunk [m].
   std::array<bool, 2> has_arm{{false, false}}, has_hand{{false, false}};
   std::array<dealii::Point<3>, 2> arm_root, arm_tip;
+
+  /// Height when standing; of who sits by that of trunk and head [m].
+  double stature() const;
+
+  /// Height of the knees of who stands [m].
+  double knee() const;
 
   bool is(const std::size_t voxel, const Region region) const
   {
@@ -47,8 +58,10 @@ struct PersonRegions
 };
 
 /**
- * Divides a standing person into regions. Legs are followed upwards, layer by
- * layer, until they are one; trunk and head from there to the vertex. An arm
+ * Divides a standing or seated person into regions. Legs are followed upwards,
+ * layer by layer, until they are one; trunk and head from there to the vertex.
+ * Thighs that reach far to the front where the legs join are those of who sits:
+ * what is before the trunk there. An arm
  * is what is farthest from the axis of trunk and head on paths within the
  * body, up to where its section grows to that of the trunk (geodesic extrema:
  * Plagemann, Ganapathi, Koller and Thrun 2010). Of an arm whose hand touches

@@ -27,17 +27,14 @@ struct Limb
 };
 
 /**
- * Measures the sections of a region at places that correspond to each other in
- * all persons: legs from the soles to where they join, the trunk from there to
- * the neck and to both ends of the cranium, arms from the trunk to their tips.
- * Hands and feet have the directions of their largest width, which turns
- * gradually towards them. An arm that was not told from the trunk has no
- * sections.
+ * The warp of each region from a standing person to another one, by sections at
+ * places that correspond to each other: legs from the soles to where they join
+ * (of who sits, lower legs to the knees and thighs from there to the hips), the
+ * trunk from there to the neck and to both ends of the cranium, arms from the
+ * trunk to their tips. Hands and feet have the directions of their largest
+ * width, which turns gradually towards them. An arm that either of them lacks
+ * follows the trunk, scaled as that is at the shoulders.
  */
-Limb measure_limb(const PersonRegions &regions, Region region);
-
-/// The warp of each region from one person to another. An arm that either of
-/// them lacks follows the trunk, scaled as that is at the shoulders.
 std::array<SectionWarp, n_regions> warp_between(const PersonRegions &from,
                                                 const PersonRegions &to);
 } // namespace contrecoup
