@@ -48,12 +48,13 @@ contrecoup_add_application_test(runs scene_ranks,regression,scene_sigkill
 # dose as well; and the head turns so little (1 is the scale of that measure) that
 # round-off of the loads, 1e-8 of the scale, is visible, also in the probabilities that
 # follow. Elements of 6 mm are too
-# large for the default limit of the energy audit.
+# large for the default limit of the energy audit with one point of integration.
 contrecoup_add_application_test(single_runs scene_ranks,scene_parallel_sigkill
   FILE ${_head} RANKS 2 3 7 CORES 3 SET ${_brief} "Scene/Element size=0.006"
     "Scene/End time=0.001" "Blast/Output/Fields=false"
     "Biomechanics/Output/Fields=false" "Blast/Output/Checkpoint every steps=10"
     "Biomechanics/Output/Checkpoint every steps=50"
+    "Biomechanics/Elements/Integration=one-point"
     "Biomechanics/Energy audit/Largest hourglass part=0.3"
   TOLERANCE "injuries:*=1e-5"
     "injuries:injury_cavitating_fraction=4e-4 absolute"

@@ -150,6 +150,22 @@ TEST(SceneFiles, HandOnMassesPlacesAndTimesOfTheScene)
 }
 
 
+// Hourglass modes of one point would be what bends bones of few elements.
+TEST(SceneFiles, IntegrateLargeElementsFully)
+{
+  for (const double size : {0.0025, 0.004, 0.005, 0.01})
+  {
+    SceneParameters scene = scene_with(2.337, 1.27);
+    scene.element_size = size;
+    const auto body = values_of(biomechanics_entries(
+      scene, SceneLayout(scene, standing_box()), standing_body(), {}, 78.5));
+    const auto found = body.find("Elements/Integration");
+    EXPECT_EQ(found != body.end() && found->second == "full", size >= 0.005)
+      << size;
+  }
+}
+
+
 TEST(SceneFiles, FitElementsToTheBodyUnlessAnEntryGivesTheirSize)
 {
   const auto size_for = [](const double height, const double given) {

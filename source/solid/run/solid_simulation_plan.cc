@@ -17,6 +17,9 @@ namespace
   /// Element updates per second and core, for estimates only.
   constexpr double typical_speed = 1.5e7;
 
+  /// Time of a step with full integration over that with one point.
+  constexpr double full_integration = 1.8;
+
   /// Memory per element with its nodes and a part of the mesh [bytes].
   constexpr double typical_memory = 900.;
 
@@ -50,8 +53,10 @@ CostEstimate SolidSimulation<Real>::estimate()
   cost.memory = typical_memory * cost.cells * (sizeof(Real) == 4 ? 0.7 : 1.);
   const double step = mesh_description_.estimate_step(materials_);
   cost.steps = end_time_ / (safety_ * options_.step_factor() * step);
-  cost.seconds = cost.steps * cost.cells / typical_speed /
-                 dealii::Utilities::MPI::n_mpi_processes(communicator_);
+  cost.seconds =
+    cost.steps * cost.cells / typical_speed *
+    (options_.integration == Integration::full ? full_integration : 1.) /
+    dealii::Utilities::MPI::n_mpi_processes(communicator_);
   if (cost.cells <= cheap_mesh)
     check_selections();
   return cost;
