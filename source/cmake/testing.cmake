@@ -179,9 +179,6 @@ endfunction()
 #   check_files   --check accepts all files of FILE's folder, with a plan, and
 #                 writes nothing; "NEEDS <x.prm>=<file>" leaves one out that
 #                 cannot be checked without a file
-#   forecast      LEVELS "<first> <last>": from trial runs so much coarser,
-#                 --check predicts memory, output and steps (and COMPARE cells)
-#                 within the factor TOLERANCE, and keeps that for the next time
 #   presets       COMPARE <name>...: the presets beside FILE, the cheapest
 #                 first, have the errors and relative updates that they state
 #   pictures      COMPARE <png>...: the run draws these at its end, and they
@@ -226,7 +223,7 @@ endfunction()
 function(contrecoup_add_application_test name kind)
   cmake_parse_arguments(ARG ""
     "FILE;OTHER_FILE;MPI;CORES;TIMEOUT;MESSAGE;OUTPUT;CONTENT;VARY;\
-ERROR;ORDER;HEIGHT;ANGLE;LEVELS"
+ERROR;ORDER;HEIGHT;ANGLE"
     "SET;BOUNDS;COMPARE;EXIT;ARGUMENTS;LABELS;RANKS;NEEDS;TOLERANCE;STOP_AFTER" ${ARGN})
   if(NOT ARG_FILE OR ARG_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "contrecoup_add_application_test(${name}): FILE is "
@@ -256,8 +253,7 @@ ERROR;ORDER;HEIGHT;ANGLE;LEVELS"
   if(ARG_OTHER_FILE)
     list(APPEND _options --other-file=${_files}/${ARG_OTHER_FILE})
   endif()
-  foreach(_key MESSAGE OUTPUT CONTENT VARY ERROR ORDER HEIGHT ANGLE
-          LEVELS)
+  foreach(_key MESSAGE OUTPUT CONTENT VARY ERROR ORDER HEIGHT ANGLE)
     if(DEFINED ARG_${_key})
       string(TOLOWER ${_key} _option)
       list(APPEND _options "--${_option}=${ARG_${_key}}")

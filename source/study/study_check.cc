@@ -102,7 +102,9 @@ void Study::print_costs(const std::vector<VariantForecast> &forecasts) const
   }
   const std::size_t slots = std::min<std::size_t>(
     std::max(1U, parameters_.cores / parameters_.ranks), tasks_.size());
-  const CostEstimate sum = sum_of(forecasts, slots);
+  CostEstimate sum = sum_of(forecasts, slots);
+  sum.output += size_of_own_files();
+  io::write_check_file({"study", sum, {}});
   show_line("all runs, " + std::to_string(slots) + " at once:");
   show_line("  cells     " + from_to(least_cells, sum.cells));
   show_line("  steps     about " + brief(sum.steps, 3) + " in all");
@@ -113,6 +115,17 @@ void Study::print_costs(const std::vector<VariantForecast> &forecasts) const
                : ""));
   show_line("  wall time about " + duration(sum.seconds));
   show_line("  output    about " + bytes(sum.output) + " in " + folder_);
+}
+
+double Study::size_of_own_files() const
+{
+  // Each outcome names all entries, as does the recommendation.
+  double entries = 0.;
+  for (const auto &[entry, value] : application_.entries({}).values)
+    entries += static_cast<double>(entry.size() + value.size() + 12);
+  constexpr double pictures = 1.8e5, tables = 2e4;
+  return pictures + tables +
+         (static_cast<double>(tasks_.size()) + 1.) * entries;
 }
 
 void Study::check() const

@@ -1,28 +1,4 @@
-# Predictions of --check, and what a run takes for granted.
-
-# Steps, memory and output within a factor of 1.5: a blast that begins in 1-D
-# and goes on in an adaptive 3-D mesh, an adaptive one in 2-D, a uniform one,
-# and one with a body that records its loads. The trial runs are those that
-# --check makes in its four seconds on a processor of 2021.
-contrecoup_add_application_test(forecast_stages forecast
-  FILE blast/quickstart.prm TOLERANCE 1.5 LEVELS "3 1" SET "Time/End time=0.0009"
-  "First stage/Cell size=0.002" "Output/Fields interval=0")
-contrecoup_add_application_test(forecast_adaptive forecast
-  FILE blast/verification/height_of_burst.prm TOLERANCE 1.5 LEVELS "3 1"
-  SET "Time/End time=0.001" "Adaptation/Largest level=3"
-  "Output/Fields interval=0.0003")
-contrecoup_add_application_test(forecast_uniform forecast
-  FILE blast/verification/noh_3d.prm TOLERANCE 1.5 LEVELS "5 2"
-  SET "Time/End time=0.15")
-contrecoup_add_application_test(forecast_body forecast
-  FILE blast/quickstart_human.prm TOLERANCE 1.5 LEVELS "3 1"
-  SET "Time/End time=0.0024" "Domain/Lower corner=-0.64, 0, 0"
-  "Domain/Upper corner=5.12, 2.56, 3.84" "Domain/Coarse leaves=9, 4, 6"
-  "Adaptation/Limit fireball/Largest level=0"
-  "Adaptation/Limit far away/Largest level=0"
-  "Rigid body/Levels=2" "First stage/Cell size=0.02" "Pictures/Planes="
-  "First stage/Spherical cell size=0.002" "Output/Fields=false"
-  "Output/Pictures=false")
+# What presets promise, and what a run takes for granted.
 
 # Stated errors and costs of presets.
 contrecoup_add_application_test(presets presets

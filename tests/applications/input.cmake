@@ -1,3 +1,7 @@
+# What --check forecasts is what the run needs, for cheap runs of each application.
+_contrecoup_register_test(input_forecasts TIMEOUT 900
+  COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/tests/validation/forecasts.py
+    ${PROJECT_BINARY_DIR} ${CMAKE_CURRENT_BINARY_DIR}/input_forecasts --cheap)
 # Mistakes in parameter files and in the files that these name; all cases in one
 # test.
 _contrecoup_register_test(input_refusals TIMEOUT 900 LABELS refusal

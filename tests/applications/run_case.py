@@ -412,7 +412,6 @@ def parse(arguments):
     parser.add_argument("--compare", action="append", default=[])
     parser.add_argument("--tolerance", action="append", default=[])
     parser.add_argument("--stop-after", type=int, action="append")
-    parser.add_argument("--levels")
     parser.add_argument("--vary")
     parser.add_argument("--error")
     parser.add_argument("--order", type=float)

@@ -339,13 +339,6 @@ class ResultTest(SelfTest):
 
 
 class CostTest(SelfTest):
-    def test_forecast(self):
-        options = ("forecast", "--tolerance=1.5", "--levels=2 1",
-                   "--compare=cells")
-        self.accepts(*options)
-        self.rejects("prediction of steps", *options, flaw="rosy")
-        self.rejects("forgot the first", *options, flaw="oblivious")
-
     def test_presets(self):
         promise = "# peaks {} %, impulses {} %; updates {} times\n"
         steps = "Time/Largest number of steps="

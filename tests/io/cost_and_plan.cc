@@ -36,6 +36,17 @@ TEST(CostForecast, ExtrapolatesBeyondBothLaws)
   EXPECT_DOUBLE_EQ(extrapolate(1., 64., 1, 2., 3., 3), 256.);
 }
 
+TEST(CostForecast, RefinesLayersOfAnAdaptiveMesh)
+{
+  // Between surfaces and volume, but not faster than the trials where most of
+  // the mesh stays.
+  EXPECT_DOUBLE_EQ(extrapolate_cells(0., 3., 2, 2, 1), 24.);
+  EXPECT_NEAR(extrapolate_cells(100., 500., 1, 3, 1), 2378., 1.);
+  EXPECT_NEAR(extrapolate_cells(100., 200., 2, 3, 1), 800., 1e-9);
+  EXPECT_NEAR(extrapolate_cells(100., 400., 1, 3, 2), 800., 1e-9);
+  EXPECT_DOUBLE_EQ(extrapolate_cells(100., 90., 3, 3, 1), 90.);
+}
+
 TEST(CostForecast, ApproachesALimit)
 {
   const auto steps = [](const double level) {

@@ -49,6 +49,8 @@ private:
   /// @throws InputError for variants that the application refuses
   void require_accepted(const std::vector<VariantForecast> &forecasts) const;
   void print_costs(const std::vector<VariantForecast> &forecasts) const;
+  /// Of outcomes, which name all entries, tables and pictures [byte].
+  double size_of_own_files() const;
   /// Name of a run for messages.
   std::string task_label(const Task &task) const;
 

@@ -4,6 +4,7 @@
 #include <contrecoup/ale/particles/particle_scene.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace contrecoup::ale
@@ -110,15 +111,62 @@ bool ParticleScene::is_near_matter(const dealii::Point<3> &place) const
 }
 
 
+unsigned int ParticleScene::n_materials_in(const dealii::Point<3> &lower,
+                                           const double cell_size) const
+{
+  // As far inside as the outermost samples of mpm::seed().
+  constexpr std::array<double, 3> at = {{1. / 16., 15. / 16., 0.5}};
+  std::vector<int> found;
+  const auto look = [&](const double x, const double y, const double z) {
+    dealii::Point<3> place = lower;
+    const std::array<double, 3> parts{{x, y, z}};
+    for (unsigned int d = 0; d < 3; ++d)
+      place[d] += parts[d] * cell_size / source_.per_cell[d];
+    const int material = source_.material_at(place);
+    if (material != mpm::ParticleSource::none &&
+        std::find(found.begin(), found.end(), material) == found.end())
+      found.push_back(material);
+  };
+  for (unsigned int corner = 0; corner < 8; ++corner)
+    look(at[corner & 1U], at[corner >> 1U & 1U], at[corner >> 2U & 1U]);
+  look(at[2], at[2], at[2]);
+  return static_cast<unsigned int>(found.size());
+}
+
+
 double ParticleScene::n_particles() const
 {
-  double count = 0.;
-  sample_matter(coarse_samples, [&](const dealii::Point<3> &place, const int) {
-    count += std::pow(cell_size_ / cell_size_at(place), 3);
-  });
-  double particles = count / std::pow(coarse_samples, 3);
+  // Boxes with a particle of each material: all of them, or those at the points
+  // of a lattice.
+  std::array<unsigned int, 3> n{};
+  double boxes_a_point = 1.;
   for (unsigned int d = 0; d < 3; ++d)
-    particles *= 1. * box_.n_cells[d] * source_.per_cell[d];
-  return particles;
+  {
+    const double n_boxes = 1. * box_.n_cells[d] * source_.per_cell[d];
+    n[d] = static_cast<unsigned int>(std::min(n_boxes, 1. * coarse_samples));
+    boxes_a_point *= n_boxes / n[d];
+  }
+  double count = 0.;
+  for (unsigned int k = 0; k < n[2]; ++k)
+    for (unsigned int j = 0; j < n[1]; ++j)
+      for (unsigned int i = 0; i < n[0]; ++i)
+      {
+        const std::array<unsigned int, 3> at{{i, j, k}};
+        dealii::Point<3> place;
+        for (unsigned int d = 0; d < 3; ++d)
+          place[d] = box_.lower[d] +
+                     (at[d] + 0.5) / n[d] * box_.n_cells[d] * box_.cell_size;
+        const double size = cell_size_at(place);
+        dealii::Point<3> lower;
+        for (unsigned int d = 0; d < 3; ++d)
+        {
+          const double edge = size / source_.per_cell[d];
+          lower[d] =
+            box_.lower[d] +
+            edge * std::floor((place[d] - box_.lower[d]) / edge + 1e-9);
+        }
+        count += n_materials_in(lower, size) * std::pow(cell_size_ / size, 3);
+      }
+  return count * boxes_a_point;
 }
 } // namespace contrecoup::ale

@@ -9,6 +9,7 @@
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/base/system/timers.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <csignal>
@@ -65,6 +66,7 @@ RunStatus RunLoop::run(RunState &state)
 RunStatus RunLoop::loop(RunState &state)
 {
   state.time = simulation_.time();
+  state.largest_cells = simulation_.size().first;
   control_.set_ticks(state);
   first_step_ = state.step;
   begin_ = Clock::now();
@@ -154,7 +156,9 @@ void RunLoop::advance(RunState &state)
   state.updates += report.updates;
   {
     const TimerScope timer("adaptation");
-    simulation_.adapt();
+    if (simulation_.adapt())
+      state.largest_cells =
+        std::max(state.largest_cells, simulation_.size().first);
   }
   progress_->step(state.step, state.time, state.step_size, report.updates);
   if (simulation_.dimension() != dimension)

@@ -177,7 +177,8 @@ namespace coupling
       }
 
       /// Bytes on disk, as measured for the phantom with elements of 3.5 to 10
-      /// mm: smoothed positions compress less.
+      /// mm: smoothed positions compress less. Pictures have a colour for each
+      /// part.
       double estimate_output(const HexMeshSize &size) const
       {
         const bool is_smooth = parameters_.smoothing.iterations > 0;
@@ -195,7 +196,9 @@ namespace coupling
           bytes +=
             3.5 * box.volume() / std::pow(parameters_.distance_spacing, 3);
         }
-        return bytes + (parameters_.draw ? 5e5 : 0.);
+        if (parameters_.draw)
+          bytes += 8e4 + 9e3 * body_->parts().size();
+        return bytes;
       }
 
       CostEstimate estimate() const

@@ -91,14 +91,19 @@ namespace
 
 io::ApplicationDescription blast_application()
 {
-  return {"blast",
-          "Solves the Euler equations of a compressible gas, air or "
-          "explosive products, on adaptive octree meshes.",
-          StagedSimulation<3>::declare_parameters,
-          create_any,
-          {},
-          coarsen_scene,
-          "run",
-          files};
+  io::ApplicationDescription application = {
+    "blast",
+    "Solves the Euler equations of a compressible gas, air or "
+    "explosive products, on adaptive octree meshes.",
+    StagedSimulation<3>::declare_parameters,
+    create_any,
+    {},
+    coarsen_scene,
+    "run",
+    files};
+  application.adapts = [](const ParameterHandler &prm) {
+    return prm.get_bool({"Adaptation"}, "Active");
+  };
+  return application;
 }
 } // namespace contrecoup::coupling

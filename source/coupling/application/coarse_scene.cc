@@ -80,7 +80,8 @@ bool coarsen_scene(ParameterHandler &prm, const unsigned int levels)
   }
   {
     const Section section(prm, "First stage");
-    prm.set("Cell size", read_double(prm, "Cell size") * std::pow(2., levels));
+    for (const std::string entry : {"Cell size", "Spherical cell size"})
+      prm.set(entry, read_double(prm, entry) * std::pow(2., levels));
   }
   unsigned int initial = 0;
   {

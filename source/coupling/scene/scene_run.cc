@@ -15,9 +15,6 @@
 #include <contrecoup/io/output/pictures.h>
 #include <contrecoup/io/run/plan_table.h>
 
-#include <algorithm>
-#include <optional>
-
 namespace contrecoup::coupling
 {
 SceneRun::SceneRun(const io::CommandLine &command,
@@ -40,14 +37,6 @@ SceneRun::SceneRun(const io::CommandLine &command,
 
 namespace
 {
-  /// Of the usual time for trial runs; a coarser stage needs fewer.
-  constexpr double coarser_trial_share = 0.25;
-
-  /// Drawing a report and the pictures of a blast takes as long for any scene
-  /// [s], and the report has about this size [byte].
-  constexpr double drawing_seconds = 12.;
-  constexpr double report_bytes = 4e6;
-
   /// Suppresses the log while it exists.
   class Silence
   {
@@ -67,70 +56,19 @@ namespace
   private:
     bool was_active_;
   };
-
-  /// Sums for stages that run one after the other; the largest memory.
-  CostEstimate
-  total_of(const std::vector<std::pair<std::string, CostEstimate>> &costs)
-  {
-    CostEstimate total;
-    for (const auto &[name, cost] : costs)
-    {
-      total.cells += cost.cells;
-      total.unknowns += cost.unknowns;
-      total.steps += cost.steps;
-      total.seconds += cost.seconds;
-      total.memory = std::max(total.memory, cost.memory);
-      total.output += cost.output;
-    }
-    return total;
-  }
 } // namespace
 
 
-std::optional<CostEstimate> SceneRun::cost_of(SceneTask &task)
+StageCosts SceneRun::costs()
 {
-  if (!task.is_optional())
-    return task.check(1., collective_);
-  try
-  {
-    return task.check(coarser_trial_share, collective_);
-  }
-  catch (const InputError &error)
-  {
-    log_line("WARNING: no estimate of the numerical error: " +
-             std::string(error.what()));
-    return {};
-  }
+  return estimate_costs(tasks_, size_of_report(*scene_), collective_);
 }
 
 
-std::vector<std::pair<std::string, CostEstimate>> SceneRun::costs()
+void SceneRun::write_forecast(const StageCosts &costs) const
 {
-  const LogPart part("forecast");
-  std::vector<std::pair<std::string, CostEstimate>> rows;
-  for (SceneTask &task : tasks_)
-  {
-    if (task.is_finished())
-      continue;
-    log_line("stage " + task.name() + ":");
-    const std::optional<CostEstimate> cost = cost_of(task);
-    if (!cost)
-      break;
-    rows.emplace_back(task.name(), *cost);
-  }
-  if (rows.empty() || !scene_->parameters().draws_report)
-    return rows;
-  CostEstimate drawing;
-  drawing.seconds = drawing_seconds;
-  drawing.output = report_bytes;
-  rows.emplace_back("report", drawing);
-  return rows;
-}
-
-
-void SceneRun::write_forecast(const CostEstimate &cost) const
-{
-  io::CheckReport report{"scene", cost, {"scene.json:*", "report.json:*"}};
+  io::CheckReport report{
+    "scene", io::total_of(costs), {"scene.json:*", "report.json:*"}, costs};
   for (const SceneTask &task : tasks_)
   {
     std::vector<std::string> outputs = io::file_outputs(task.files());
@@ -153,10 +91,10 @@ void SceneRun::check()
   for (const SceneTask &task : tasks_)
     if (task.is_finished())
       show_line("stage " + task.name() + " is finished in " + task.folder());
-  const auto rows = costs();
+  const StageCosts rows = costs();
   collective_.run([&]() {
     if (is_first_rank_)
-      write_forecast(total_of(rows));
+      write_forecast(rows);
   });
   if (rows.empty())
     return;
@@ -168,19 +106,18 @@ void SceneRun::check()
 }
 
 
-void SceneRun::show_stages(
-  const std::vector<std::pair<std::string, CostEstimate>> &costs) const
+void SceneRun::show_stages(const StageCosts &costs) const
 {
-  const CostEstimate total = total_of(costs);
+  const CostEstimate total = io::total_of(costs);
   std::vector<std::string> names;
   for (const SceneTask &task : tasks_)
     names.push_back(task.name() +
                     (task.is_finished() ? " (finished before)" : ""));
   show_line("  stages: " + join(names, ", ") +
-            (total.memory > 0. ? "; about " + duration(total.seconds) + ", " +
-                                   bytes(total.memory) + " of memory, " +
-                                   bytes(total.output) + " on disk"
-                               : ""));
+            (total.seconds > 0. ? "; about " + duration(total.seconds) + ", " +
+                                    bytes(total.memory) + " of memory, " +
+                                    bytes(total.output) + " on disk"
+                                : ""));
 }
 
 

@@ -16,7 +16,10 @@
 #include <contrecoup/io/application/application.h>
 #include <contrecoup/io/output/output_folder.h>
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <utility>
 
 namespace contrecoup::coupling
 {
@@ -75,6 +78,33 @@ namespace
   {
     TimeParameters::declare_parameters(prm);
     application.declare_parameters(prm);
+  }
+
+
+  /// Arguments that load a body by the expected wave, for its forecast: fields
+  /// of a body at rest would be compressed to nothing.
+  std::vector<std::string> expected_load(const SceneLayout &layout)
+  {
+    const auto bounded = [](const double value, const double most) {
+      return exact(std::isfinite(value) ? std::clamp(value, 1e-5, most) : most);
+    };
+    const dealii::Point<3> &charge = layout.charge;
+    const std::string load = "Loads/Load expected/";
+    std::vector<std::string> words;
+    for (const auto &[entry, value] :
+         std::vector<std::pair<std::string, std::string>>{
+           {"Kind", "friedlander"},
+           {"Friedlander/Peak", bounded(layout.overpressure, 1e6)},
+           {"Friedlander/Duration", bounded(layout.positive_phase, 1.)},
+           {"Friedlander/Centre",
+            exact(charge[0]) + "," + exact(charge[1]) + "," + exact(charge[2])},
+           {"Friedlander/Speed",
+            bounded(layout.distance / layout.arrival, 1e4)}})
+    {
+      words.emplace_back("--set");
+      words.push_back(load + entry + "=" + value);
+    }
+    return words;
   }
 
 
@@ -201,6 +231,7 @@ namespace
       const std::string loads =
         std::filesystem::absolute(blast.folder() + "/loads.h5").string();
       task.set_arguments({"--set", "Loads/Recorded/File=" + loads});
+      task.set_check_arguments(expected_load(scene_.layout()));
       task.rename("Loads/Recorded/File", "the loads of stage " + blast.name());
       return task;
     }

@@ -192,8 +192,10 @@ CostEstimate SceneTask::check(const double trial_share, Collective &collective)
   collective.run(
     [&]() { io::write_file(path, [&](std::ostream &out) { out << text_; }); });
   CostEstimate cost;
-  const Failure failure =
-    call({name_, path, "--output", folder(), "--check"}, trial_share, cost);
+  std::vector<std::string> words = {
+    name_, path, "--output", folder(), "--check"};
+  words.insert(words.end(), check_arguments_.begin(), check_arguments_.end());
+  const Failure failure = call(words, trial_share, cost);
   if (failure.code != ExitCode::done)
     throw_failure({failure.code, "stage " + name_ + ": " + failure.message});
   return cost;

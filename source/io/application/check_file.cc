@@ -29,6 +29,15 @@ namespace io
        {"wall_seconds", &CostEstimate::seconds},
        {"output_bytes", &CostEstimate::output}};
 
+    Json to_json(const CostEstimate &cost)
+    {
+      Json json;
+      for (const auto &[name, figure] : figures)
+        json[name] =
+          std::isfinite(cost.*figure) ? Json(cost.*figure) : Json(nullptr);
+      return json;
+    }
+
     bool contains(const std::string &text, const std::string &part)
     {
       return text.find(part) != std::string::npos;
@@ -84,11 +93,14 @@ namespace io
     if (file == nullptr)
       return;
     Json json = {{"application", report.application}};
-    for (const auto &[name, figure] : figures)
-      json[name] = std::isfinite(report.cost.*figure)
-                     ? Json(report.cost.*figure)
-                     : Json(nullptr);
+    json.update(to_json(report.cost));
     json["outputs"] = report.outputs;
+    for (const auto &[name, cost] : report.stages)
+    {
+      Json stage = {{"name", name}};
+      stage.update(to_json(cost));
+      json["stages"].push_back(stage);
+    }
     write_file(file, [&](std::ostream &out) {
       out << json.dump(2, ' ', false, Json::error_handler_t::replace) << "\n";
     });

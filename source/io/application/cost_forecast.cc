@@ -4,6 +4,7 @@
 #include <contrecoup/base/parameters/parameter_tree.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/log.h>
+#include <contrecoup/base/system/memory.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/io/application/cost_forecast.h>
 #include <contrecoup/io/run/cost_cache.h>
@@ -36,132 +37,135 @@ namespace io
       return none;
     }
 
+    /// A quantity of a mesh of @p cells, linear in the cells, from those of two
+    /// trials; but it grows at least like the given power of the cells, because
+    /// noise in short trials hides the part that grows.
+    double grow_with_cells(const double cells_before,
+                           const double before,
+                           const double cells_last,
+                           const double last,
+                           const double cells,
+                           const double least_power)
+    {
+      const double whole = last * cells / cells_last;
+      if (!(before > 0.) || !(cells_last > cells_before))
+        return whole;
+      const double slope = (last - before) / (cells_last - cells_before);
+      const double least = last * std::pow(cells / cells_last, least_power);
+      return std::clamp(last + slope * (cells - cells_last),
+                        std::min(least, whole),
+                        std::max(least, whole));
+    }
+
+    double mean_cells(const TrialStage &stage)
+    {
+      return stage.cell_steps / std::max(1., stage.steps);
+    }
+
     /// Time of a step with @p cells, see forecast_cost() [s].
     double step_seconds(const TrialStage &before,
                         const TrialStage &last,
                         const double cells)
     {
-      const double last_cells = last.cell_steps / last.steps;
-      const double last_seconds = last.seconds / last.steps;
-      const double whole = last_seconds * cells / last_cells;
-      if (!(before.steps > 0.))
-        return whole;
-      const double cells_before = before.cell_steps / before.steps;
-      const double seconds_before = before.seconds / before.steps;
-      if (!(last_cells > cells_before))
-        return whole;
-      const double slope =
-        (last_seconds - seconds_before) / (last_cells - cells_before);
-      // In short trials, noise hides the part that does not grow.
-      const double least = last_seconds * std::pow(cells / last_cells, 0.85);
-      return std::clamp(last_seconds + slope * (cells - last_cells),
-                        std::min(least, whole),
-                        std::max(least, whole));
+      return grow_with_cells(mean_cells(before),
+                             before.seconds / std::max(1., before.steps),
+                             mean_cells(last),
+                             last.seconds / last.steps,
+                             cells,
+                             0.85);
     }
 
-    /// Number of cells of the scene from those of two trials and from the
-    /// solver's initial cells, all of the same stage. Extrapolates the cells
-    /// that adaptation adds, see forecast_cost(), or all cells where
-    /// adaptation removes some.
-    double extrapolate_cells(const double before,
-                             const Trial &before_trial,
-                             const double last,
-                             const Trial &last_trial,
-                             const double known,
-                             const double dimension)
+    /// Whether the mesh was the same from the first step of a stage to its
+    /// last.
+    bool is_constant(const TrialStage &stage)
     {
-      const bool adds = last >= last_trial.known_cells;
-      const double begin = adds ? last_trial.known_cells : 0.;
-      const double begin_before = adds ? before_trial.known_cells : 0.;
-      const unsigned int gap = before_trial.levels - last_trial.levels;
-      const double added_before = std::max(0., before - begin_before);
-      const bool is_first =
-        last - begin > added_before * std::pow(2., dimension * gap);
-      return (adds ? known : 0.) +
-             io::extrapolate(added_before,
-                             last - begin,
-                             last_trial.levels,
-                             dimension - 1.,
-                             is_first ? dimension - 1. : dimension,
-                             gap);
+      return stage.cell_steps == stage.steps * stage.largest_cells;
     }
 
-    /// Whether the trial had the same mesh from its first step to its last.
-    bool has_constant_mesh(const Trial &trial)
+    /// The last two trials, and the solver's estimate of the scene's cells.
+    struct Trials
     {
-      return trial.stages.size() == 1 &&
-             trial.stages[0].cell_steps ==
-               trial.stages[0].steps * trial.stages[0].largest_cells;
+      const Trial &before, &last;
+      double known;
+      bool adapts; ///< whether the mesh of the last stage changes
+
+      unsigned int gap() const
+      {
+        return before.levels - last.levels;
+      }
+
+      /// Extrapolates a number of cells of a stage of the last trial.
+      double cells(const TrialStage &stage,
+                   const double cells_before,
+                   const double cells_last) const
+      {
+        const bool is_last = &stage == &last.stages.back();
+        // Nothing is refined where the cells of a trial are too large for it.
+        if (!is_constant(stage) || (is_last && adapts))
+          return extrapolate_cells(
+            is_constant(stage_like(before, stage)) ? 0. : cells_before,
+            cells_last,
+            last.levels,
+            stage.dimension,
+            gap());
+        if (is_last && last.known_cells > 0. && last.levels > 0)
+          return known * cells_last / last.known_cells;
+        return io::extrapolate(
+          cells_before, cells_last, last.levels, 0., stage.dimension, gap());
+      }
+
+      double
+      grown(double Trial::*number, const double low, const double high) const
+      {
+        return io::extrapolate(
+          before.*number, last.*number, last.levels, low, high, gap());
+      }
+    };
+
+    /// Results on disk, without pictures [byte].
+    double output_of(const Trials &trials, const double cells)
+    {
+      const TrialStage &stage = trials.last.stages.back();
+      const double dimension = stage.dimension;
+      // Adaptation keeps parts of fields that compress well.
+      return grow_with_cells(mean_cells(stage_like(trials.before, stage)),
+                             trials.before.volume_bytes,
+                             mean_cells(stage),
+                             trials.last.volume_bytes,
+                             cells,
+                             0.) +
+             trials.last.plane_bytes +
+             trials.grown(&Trial::surface_bytes, dimension - 1., dimension) +
+             trials.grown(&Trial::table_bytes, 0., 1.) +
+             std::max(trials.before.other_bytes, trials.last.other_bytes);
     }
 
-    /// Adjusts a forecast for meshes that never change: the solver's estimate
-    /// of the cells then holds but for what the last trial shows, and fields
-    /// have a value for each cell.
-    void use_known_cells(const Trial &last,
-                         const double known,
-                         const double field_bytes,
-                         CostEstimate &cost)
+    CostEstimate extrapolate(const Trials &trials)
     {
-      const double cells = last.stages[0].largest_cells;
-      const double wanted = std::round(known * cells / last.known_cells);
-      cost.seconds *= wanted / cost.cells;
-      cost.output += last.field_bytes * wanted / cells - field_bytes;
-      cost.cells = wanted;
-      cost.unknowns = std::round(wanted * last.unknowns_per_cell);
-    }
-
-    /// @param known initial cells of the scene by the solver's estimate
-    CostEstimate
-    extrapolate(const Trial &before, const Trial &last, const double known)
-    {
-      const unsigned int n = last.levels, gap = before.levels - n;
       CostEstimate result;
-      double dimension = 1.;
+      const Trial &last = trials.last;
+      const unsigned int n = last.levels, gap = trials.gap();
+      double cells = 0., dimension = 1.;
       for (const TrialStage &stage : last.stages)
       {
-        const TrialStage &earlier = stage_like(before, stage);
+        const TrialStage &earlier = stage_like(trials.before, stage);
         dimension = stage.dimension;
-        const bool is_last = &stage == &last.stages.back();
+        const double low = earlier.steps > 0. ? 0. : 1.;
         const double steps =
           earlier.largest_cells == stage.largest_cells
             ? extrapolate_to_limit(earlier.steps, stage.steps, n, gap)
-            : io::extrapolate(earlier.steps, stage.steps, n, 0., 1., gap);
-        const double cells_before =
-          earlier.cell_steps / std::max(1., earlier.steps);
-        const double cells_last = stage.cell_steps / stage.steps;
-        const double cells =
-          is_last
-            ? extrapolate_cells(
-                cells_before, before, cells_last, last, known, dimension)
-            : io::extrapolate(
-                cells_before, cells_last, n, dimension - 1., dimension, gap);
+            : io::extrapolate(earlier.steps, stage.steps, n, low, 1., gap);
+        cells = trials.cells(stage, mean_cells(earlier), mean_cells(stage));
+        result.cells = std::round(
+          trials.cells(stage, earlier.largest_cells, stage.largest_cells));
         result.steps += steps;
         result.seconds += steps * step_seconds(earlier, stage, cells);
       }
-      const auto grown = [&](double Trial::*number,
-                             const double low,
-                             const double high) {
-        return io::extrapolate(before.*number, last.*number, n, low, high, gap);
-      };
-      if (!last.stages.empty())
-      {
-        const TrialStage &stage = last.stages.back();
-        result.cells =
-          std::round(extrapolate_cells(stage_like(before, stage).largest_cells,
-                                       before,
-                                       stage.largest_cells,
-                                       last,
-                                       known,
-                                       dimension));
-      }
       result.unknowns = std::round(result.cells * last.unknowns_per_cell);
-      result.seconds += grown(&Trial::setup_seconds, 0., dimension) +
-                        grown(&Trial::output_seconds, 0., dimension);
-      const double fields = grown(&Trial::field_bytes, 0., dimension);
-      result.output = fields + grown(&Trial::table_bytes, 0., 1.) +
-                      grown(&Trial::load_bytes, dimension - 1., dimension);
-      if (has_constant_mesh(last) && last.known_cells > 0. && n > 0)
-        use_known_cells(last, known, fields, result);
+      result.seconds += trials.grown(&Trial::setup_seconds, 0., dimension) +
+                        trials.grown(&Trial::output_seconds, 0., dimension);
+      if (!last.stages.empty())
+        result.output = output_of(trials, cells);
       return result;
     }
 
@@ -187,14 +191,16 @@ namespace io
 
     /// Uses the last two trials, or the only one; for memory also the first.
     CostEstimate extrapolate(const std::vector<Trial> &trials,
-                             const double known)
+                             const double known,
+                             const bool adapts)
     {
       Trial none;
       none.levels = trials.back().levels + 1;
       CostEstimate result =
-        extrapolate(trials.size() > 1 ? trials[trials.size() - 2] : none,
-                    trials.back(),
-                    known);
+        extrapolate({trials.size() > 1 ? trials[trials.size() - 2] : none,
+                     trials.back(),
+                     known,
+                     adapts});
       result.memory = extrapolate_memory(trials, result.cells);
       return result;
     }
@@ -208,8 +214,7 @@ namespace io
                          brief(stage.largest_cells) + " cells at most");
       return "  cells " + brief(std::pow(2., trial.levels)) +
              " times as large: " + join(stages, ", ") + "; " +
-             duration(trial.seconds) + ", " +
-             bytes(trial.field_bytes + trial.table_bytes + trial.load_bytes);
+             duration(trial.seconds) + ", " + bytes(trial.output_bytes());
     }
 
     /// Levels by which the first trial must be coarser to cost next to
@@ -224,6 +229,24 @@ namespace io
         ++levels;
       }
       return levels > 0 ? std::min(levels + 2, most_levels) : 0;
+    }
+
+    /// What is known of the cost without trials: not the steps of a gas, whose
+    /// speeds are known when it has begun to move, nor the size of a mesh that
+    /// changes.
+    CostEstimate without_trials(const ApplicationDescription &description,
+                                const dealii::ParameterHandler &prm,
+                                const CostEstimate &rough,
+                                Collective &collective)
+    {
+      CostEstimate cost = rough;
+      cost.memory += peak_memory(collective.communicator());
+      if (!description.adapts)
+        return cost;
+      cost.steps = cost.seconds = 0.;
+      if (description.adapts(prm))
+        cost.cells = cost.unknowns = cost.memory = 0.;
+      return cost;
     }
 
     /// Processor time for the trials of --check [s].
@@ -274,6 +297,18 @@ namespace io
            b * std::pow(2., high * (levels + gap));
   }
 
+  double extrapolate_cells(const double before,
+                           const double last,
+                           const unsigned int levels,
+                           const unsigned int dimension,
+                           const unsigned int gap)
+  {
+    const double usual = 0.75 * dimension;
+    const double rate =
+      before > 0. ? std::log2(std::max(1., last / before)) / gap : usual;
+    return last * std::pow(2., (rate < dimension - 1. ? rate : usual) * levels);
+  }
+
   double extrapolate_to_limit(const double before,
                               const double last,
                               const unsigned int levels,
@@ -293,6 +328,7 @@ namespace io
     std::vector<Trial> trials;
     double spent = 0., expected = 0.;
     CostEstimate result = rough;
+    const bool adapts = description.adapts && description.adapts(prm);
     const auto set = trial_levels();
     const auto [begin, end] = set.value_or(std::pair<int, int>(
       description.coarsen ? first_levels(rough, budget) : 0, 0));
@@ -315,7 +351,7 @@ namespace io
       const double before =
         trials.empty() ? 0. : trials.back().seconds - steady;
       trials.push_back(*trial);
-      result = extrapolate(trials, rough.cells);
+      result = extrapolate(trials, rough.cells, adapts);
       spent += trial->seconds;
       const double most = std::pow(
         2., trial->stages.empty() ? 1. : trial->stages.back().dimension + 1.);
@@ -326,7 +362,16 @@ namespace io
       expected =
         steady + (trial->seconds - steady) * std::clamp(growth, 2., most);
     }
-    return trials.empty() ? rough : result;
+    if (trials.empty())
+      return without_trials(description, prm, rough, collective);
+    if (!description.pictures.empty() && prm.get_bool({"Output"}, "Pictures"))
+    {
+      const auto [seconds, size] =
+        try_drawing(description, trials.back(), collective);
+      result.seconds += seconds;
+      result.output += size;
+    }
+    return result;
   }
 
   CostEstimate
@@ -337,7 +382,7 @@ namespace io
   {
     const double budget = description.trial_share * trial_seconds();
     if (!(budget > 0.))
-      return rough;
+      return without_trials(description, prm, rough, collective);
     const MPI_Comm all = collective.communicator();
     const char *levels = std::getenv(levels_variable);
     const CostCache cache(

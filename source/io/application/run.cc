@@ -232,15 +232,11 @@ namespace io
     summary.first_values = folder_.first_values();
     summary.last_values = folder_.last_values();
     summary.timers = Timers::instance().largest(all);
-    std::tie(summary.cells, summary.unknowns) = simulation_.size();
+    summary.plan = plan_;
     if (status != "failed")
-      collective_.run([&]() {
-        summary.errors = simulation_.errors();
-        summary.results = simulation_.results();
-        summary.checks = simulation_.checks();
-        summary.plan = plan_;
-        summary.audit = simulation_.audit();
-      });
+      collective_.run([&]() { describe(simulation_, summary); });
+    else
+      std::tie(summary.cells, summary.unknowns) = simulation_.size();
     log_line(Timers::instance().table(all, summary.wall_seconds));
     show_line(status + " at step " + std::to_string(state_.step) + ", time " +
               brief(state_.time, 6) + " s, after " +

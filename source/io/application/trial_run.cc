@@ -8,14 +8,18 @@
 #include <contrecoup/base/system/log.h>
 #include <contrecoup/base/system/memory.h>
 #include <contrecoup/base/system/processor_time.h>
+#include <contrecoup/base/system/text.h>
 #include <contrecoup/io/application/trial_run.h>
-#include <contrecoup/io/file/temporary_folder.h>
 #include <contrecoup/io/output/load_series.h>
 #include <contrecoup/io/output/output_folder.h>
+#include <contrecoup/io/output/pictures.h>
+#include <contrecoup/io/output/summary.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <map>
 
 namespace contrecoup
 {
@@ -163,14 +167,59 @@ namespace io
       namespace fs = std::filesystem;
       double sum = 0.;
       std::error_code ignored;
-      if (fs::is_regular_file(path))
-        sum += static_cast<double>(fs::file_size(path, ignored));
-      else
-        for (const auto &entry :
-             fs::recursive_directory_iterator(path, ignored))
-          if (entry.is_regular_file(ignored))
-            sum += static_cast<double>(entry.file_size(ignored));
+      for (const auto &entry : fs::recursive_directory_iterator(path, ignored))
+        if (entry.is_regular_file(ignored))
+          sum += static_cast<double>(entry.file_size(ignored));
       return sum;
+    }
+
+    bool ends_with(const std::string &text, const std::string &end)
+    {
+      return text.size() >= end.size() &&
+             text.compare(text.size() - end.size(), end.size(), end) == 0;
+    }
+
+    /// Number of the trial that counts the bytes of a file; nullptr for
+    /// checkpoints.
+    double Trial::*kind_of(const std::string &file)
+    {
+      const bool is_field = file.rfind("fields", 0) == 0;
+      if (file.rfind("checkpoint", 0) == 0)
+        return nullptr;
+      if (is_field && (ends_with(file, ".vti") || ends_with(file, ".csv")))
+        return &Trial::plane_bytes;
+      if (ends_with(file, ".vtp") || file == "loads.h5")
+        return &Trial::surface_bytes;
+      if (is_field)
+        return &Trial::volume_bytes;
+      return ends_with(file, ".csv") || file == "loads.xdmf"
+               ? &Trial::table_bytes
+               : &Trial::other_bytes;
+    }
+
+    /// Counts what a trial wrote.
+    /// @param more number of field outputs of the run per one of the trial
+    /// @param part completed fraction of time
+    void count_bytes(const std::string &folder,
+                     const double more,
+                     const double part,
+                     Trial &trial)
+    {
+      namespace fs = std::filesystem;
+      std::error_code ignored;
+      for (const auto &entry :
+           fs::recursive_directory_iterator(folder, ignored))
+      {
+        const std::string file =
+          entry.path().lexically_relative(folder).string();
+        double Trial::*const kind = kind_of(file);
+        if (kind == nullptr || !entry.is_regular_file(ignored))
+          continue;
+        const double factor = file.rfind("fields", 0) == 0  ? more / part
+                              : kind == &Trial::other_bytes ? 1.
+                                                            : 1. / part;
+        trial.*kind += factor * static_cast<double>(entry.file_size(ignored));
+      }
     }
 
     /// Combines measurements of all ranks, and extrapolates the missing
@@ -189,10 +238,7 @@ namespace io
       trial.seconds = trial.setup_seconds + trial.output_seconds;
       for (const TrialStage &stage : trial.stages)
         trial.seconds += stage.seconds;
-      for (double *number : {&trial.output_seconds, &trial.field_bytes})
-        *number *= outputs / part;
-      trial.table_bytes /= part;
-      trial.load_bytes /= part;
+      trial.output_seconds *= outputs / part;
       if (!trial.stages.empty())
         for (double *number : {&trial.stages.back().steps,
                                &trial.stages.back().cell_steps,
@@ -200,23 +246,33 @@ namespace io
           *number /= part;
     }
 
-    /// Reduces the number of field outputs at intervals to a few; returns the
-    /// ratio of wanted to remaining outputs.
-    double thin_out(TimeParameters &time)
+    /// Leaves out checkpoints and stops, and all but a few field outputs;
+    /// returns the ratio of wanted to remaining outputs.
+    double prepare(dealii::ParameterHandler &prm)
     {
+      TimeParameters time;
+      time.parse_parameters(prm);
+      std::map<std::string, std::string> values = {
+        {"Time/Minutes in this run", "0"},
+        {"Time/Steps in this run", "0"},
+        {"Output/Checkpoint every steps", "0"},
+        {"Output/Checkpoint every minutes", "0"},
+        {"Output/Checkpoint at the end", "false"}};
       constexpr double few = 4.;
       const double wanted = time.fields_interval > 0.
                               ? std::floor(time.end_time / time.fields_interval)
                               : 0.;
-      if (!(wanted > few))
-        return 1.;
-      time.fields_interval = time.end_time / few;
-      return (wanted + 1.) / (few + 1.);
+      if (wanted > few)
+        values["Output/Fields interval"] = exact(time.end_time / few);
+      std::vector<Assignment> assignments;
+      for (const auto &[entry, value] : values)
+        assignments.push_back(parse_override(entry + "=" + value));
+      apply_assignments(assignments, prm);
+      return wanted > few ? (wanted + 1.) / (few + 1.) : 1.;
     }
 
     /// Makes the simulation write pending results, as with each checkpoint, and
-    /// the description of recorded loads, as at the end of a run; finish()
-    /// would also check the accuracy of so coarse a run.
+    /// the description of recorded loads.
     void save_results(const std::string &folder,
                       Simulation &simulation,
                       Collective &collective)
@@ -237,11 +293,33 @@ namespace io
       });
     }
 
+    /// Writes what a run writes at its end; returns the size of its log [byte].
+    double finish(const std::string &application,
+                  const RunState &state,
+                  Simulation &simulation,
+                  OutputFolder &output)
+    {
+      // The log has about two thirds of the text of the summary.
+      constexpr double log_part = 0.65;
+      simulation.finish(output.path());
+      Summary summary;
+      summary.application = application;
+      summary.status = "finished";
+      summary.state = state;
+      summary.first_values = output.first_values();
+      summary.last_values = output.last_values();
+      summary.plan = simulation.plan();
+      describe(simulation, summary);
+      const std::string text = to_text(summary);
+      output.write_text("summary.json", text);
+      return log_part * static_cast<double>(text.size());
+    }
+
     /// Runs @p simulation in @p folder; returns the completed fraction of
     /// time.
     double run_in(const std::string &folder,
-                  const std::string &application,
-                  const TimeParameters &time,
+                  const ApplicationDescription &description,
+                  dealii::ParameterHandler &prm,
                   Simulation &simulation,
                   Trial &trial,
                   const double longest,
@@ -254,28 +332,43 @@ namespace io
         simulation, trial, longest, collective.communicator());
       simulation.set_output_folder(folder);
       measured.setup();
-      // The folder is new, so no claim is necessary.
-      OutputFolder output(folder, application, {}, {}, collective);
+      OutputFolder output(folder,
+                          description.name,
+                          parameter_values(prm),
+                          description.files ? description.files(prm)
+                                            : FileNames(),
+                          collective);
+      output.claim({});
+      output.start();
+      output.write_text("parameters.prm", parameter_text(prm, false));
+      TimeParameters time;
+      time.parse_parameters(prm);
       RunState state;
+      bool has_ended = false;
       const double begin = measured.time();
       RunLoop loop(time, measured, output, collective);
       try
       {
         loop.run(state);
+        has_ended = true;
+        output.flush();
+        save_results(folder, simulation, collective);
+        trial.other_bytes = finish(description.name, state, simulation, output);
+        output.set_status("finished");
+      }
+      catch (const NumericsError &)
+      {
+        // So coarse a run may be too inaccurate for the checks at its end.
+        if (!has_ended)
+          throw;
       }
       catch (const std::exception &)
       {
         if (!measured.is_too_long())
           throw;
+        output.flush();
+        save_results(folder, simulation, collective);
       }
-      output.flush();
-      save_results(folder, simulation, collective);
-      trial.field_bytes = bytes_in(folder + "/fields");
-      trial.load_bytes = bytes_in(folder + "/loads.h5");
-      trial.table_bytes = bytes_in(folder + "/history.csv") +
-                          bytes_in(folder + "/probes.csv") +
-                          bytes_in(folder + "/load_gauges.csv") +
-                          bytes_in(folder + "/loads.xdmf");
       return measured.is_too_long()
                ? (measured.time() - begin) / (time.end_time - begin)
                : 1.;
@@ -303,28 +396,20 @@ namespace io
         apply_assignments(contrecoup::assignments_of(prm), coarse);
         if (levels > 0 && !description.coarsen(coarse, levels))
           throw InputError("the scene cannot be so coarse");
-        TimeParameters time;
-        time.parse_parameters(coarse);
-        time.minutes_in_this_run = 0.;
-        time.steps_in_this_run = 0;
-        time.checkpoint_every_steps = 0;
-        time.checkpoint_every_minutes = 0.;
-        time.checkpoint_at_the_end = false;
-        outputs = thin_out(time);
+        outputs = prepare(coarse);
         const auto simulation = description.create(coarse, all);
-        std::unique_ptr<TemporaryFolder> folder;
         std::string path;
         if (dealii::Utilities::MPI::this_mpi_process(all) == 0)
         {
-          folder = std::make_unique<TemporaryFolder>();
-          path = folder->path();
+          trial.folder = std::make_shared<TemporaryFolder>();
+          path = trial.folder->path();
         }
         path = broadcast_text(all, path, 0);
         // The run loop needs its own Collective for errors, besides that of
         // setup.
         Collective inner(all);
-        part = run_in(
-          path, description.name, time, *simulation, trial, longest, inner);
+        part =
+          run_in(path, description, coarse, *simulation, trial, longest, inner);
       });
     }
     catch (const std::exception &)
@@ -333,8 +418,32 @@ namespace io
     }
     if (part < 0.02)
       return std::nullopt;
+    if (trial.folder)
+      count_bytes(trial.folder->path(), outputs, part, trial);
     complete(trial, part, outputs, all);
     return trial;
+  }
+
+  std::pair<double, double>
+  try_drawing(const ApplicationDescription &description,
+              const Trial &trial,
+              Collective &collective)
+  {
+    const Silence silence;
+    const auto begin = std::chrono::steady_clock::now();
+    double before = 0., after = 0.;
+    collective.run([&]() {
+      if (!trial.folder ||
+          !std::filesystem::exists(trial.folder->path() + "/summary.json"))
+        return;
+      before = bytes_in(trial.folder->path());
+      draw(description.pictures, trial.folder->path(), "pictures", "pictures");
+      after = bytes_in(trial.folder->path());
+    });
+    return {
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin)
+        .count(),
+      after - before};
   }
 } // namespace io
 } // namespace contrecoup

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <tuple>
 
 namespace contrecoup
 {
@@ -86,9 +87,19 @@ namespace io
               {"updates", number(summary.updates)},
               {"updates_per_second", number(rate)},
               {"updates_per_second_per_core", number(rate / summary.ranks)},
+              {"largest_cells", summary.state.largest_cells},
               {"peak_memory_bytes", number(summary.peak_memory)}};
     }
   } // namespace
+
+  void describe(Simulation &simulation, Summary &summary)
+  {
+    std::tie(summary.cells, summary.unknowns) = simulation.size();
+    summary.errors = simulation.errors();
+    summary.results = simulation.results();
+    summary.checks = simulation.checks();
+    summary.audit = simulation.audit();
+  }
 
   std::string to_text(const Summary &summary)
   {

@@ -87,21 +87,38 @@ namespace io
     }
   } // namespace
 
+  CostEstimate
+  total_of(const std::vector<std::pair<std::string, CostEstimate>> &costs)
+  {
+    CostEstimate total;
+    for (const auto &[name, cost] : costs)
+    {
+      total.cells += cost.cells;
+      total.unknowns += cost.unknowns;
+      total.steps += cost.steps;
+      total.memory = std::max(total.memory, cost.memory);
+      total.seconds += cost.seconds;
+      total.output += cost.output;
+    }
+    for (double CostEstimate::*figure :
+         {&CostEstimate::seconds, &CostEstimate::output})
+      for (const auto &[name, cost] : costs)
+        if (!(cost.*figure > 0.))
+          total.*figure = 0.;
+    return total;
+  }
+
   std::vector<std::string>
   cost_lines(const std::vector<std::pair<std::string, CostEstimate>> &costs)
   {
     std::vector<Row> rows = {
       {"", "cells", "unknowns", "steps", "memory", "wall time", "output"}};
-    CostEstimate sum;
     for (const auto &[name, cost] : costs)
-    {
       rows.push_back(cost_row(name, cost));
-      sum.memory = std::max(sum.memory, cost.memory);
-      sum.seconds += cost.seconds;
-      sum.output += cost.output;
-    }
+    CostEstimate total = total_of(costs);
+    total.cells = total.unknowns = total.steps = 0.;
     if (costs.size() > 1)
-      rows.push_back(cost_row("all", sum));
+      rows.push_back(cost_row("all", total));
     return aligned(rows);
   }
 

@@ -1,7 +1,5 @@
-"""What tests of predicted and promised costs prove; kinds of run_case.py."""
+"""What tests of promised costs prove; kinds of run_case.py."""
 
-import glob
-import json
 import os
 import re
 
@@ -11,54 +9,6 @@ from summaries import values_of
 def require(holds, reason):
     if not holds:
         raise AssertionError(reason)
-
-
-def bytes_in(folder):
-    return sum(os.path.getsize(os.path.join(root, name))
-               for root, _, names in os.walk(folder) for name in names)
-
-
-def predicted(case):
-    """What --check predicts, in both of its answers."""
-    cache = os.path.abspath(case.folder("cache"))
-    os.environ["XDG_CACHE_HOME"] = cache
-    os.environ.pop("CONTRECOUP_CHECK_SECONDS", None)
-    os.environ["CONTRECOUP_CHECK_LEVELS"] = case.options.levels
-    _, first, _ = case.run(None, extra=["--check"])
-    print(first)
-    require("Calibrating" in first, "the first --check says nothing of trials")
-    _, second, _ = case.run(None, extra=["--check"])
-    require("Calibrating" not in second and "kept in" in second,
-            f"the second --check forgot the first: {second}")
-    files = glob.glob(os.path.join(cache, "contrecoup", "*.json"))
-    require(len(files) == 1, f"the cache holds {files}")
-    with open(files[0], encoding="utf-8") as file:
-        return json.load(file)
-
-
-def forecast(case, check_bound, read_summary):
-    """From trial runs of the levels --levels, --check predicts memory, output
-    and steps of the run within the factor of --tolerance, and remembers that
-    the next time; cells too if --compare names them, as they are in the end.
-    Times depend on the machine: the benchmarks show them."""
-    factor = float(case.options.tolerance[0])
-    cost = predicted(case)
-    output = case.straight()
-    summary = read_summary(output)
-    found = {"memory": summary["performance"]["peak_memory_bytes"],
-             "output": bytes_in(output),
-             "steps": summary["steps"]}
-    if "cells" in case.options.compare:
-        found["cells"] = summary["cells"]
-    wrong = []
-    for name, value in found.items():
-        ratio = cost[name] / value
-        print(f"{name}: predicted {cost[name]:.4g}, found {value:.4g}, ratio "
-              f"{ratio:.3f}")
-        if not 1. / factor < ratio < factor:
-            wrong.append(name)
-    require(not wrong, f"the prediction of {', '.join(wrong)} is off by more "
-            f"than {factor}")
 
 
 PROMISE = re.compile(r"peaks ([\d.]+) %, impulses ([\d.]+) %[^;]*; "
@@ -110,4 +60,4 @@ def presets(case, check_bound, read_summary):
     require(not wrong, "; ".join(wrong))
 
 
-KINDS = {kind.__name__: kind for kind in (forecast, presets)}
+KINDS = {"presets": presets}

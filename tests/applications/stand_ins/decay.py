@@ -162,20 +162,9 @@ def size_domain():
 
 
 def check():
-    """What --check says, and keeps for the next time."""
+    """What --check says."""
     if flawed("silent"):
         return
-    folder = os.path.join(os.environ.get("XDG_CACHE_HOME", ""), "contrecoup")
-    cache = os.path.join(folder, "cost.json")
-    if "CONTRECOUP_CHECK_LEVELS" in os.environ:
-        print(f"kept in {cache}" if os.path.exists(cache) else "Calibrating")
-        os.makedirs(folder, exist_ok=True)
-        steps = int(entries["Time/Largest number of steps"])
-        with open(cache, "w") as file:
-            json.dump({"steps": steps / (2. if flawed("rosy") else 1.),
-                       "memory": 1.1e6, "output": 260e3, "cells": 10.}, file)
-        if flawed("oblivious"):
-            os.remove(cache)
     print("decay would run\nThe parameters are valid.")
 
 

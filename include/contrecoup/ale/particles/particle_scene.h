@@ -121,6 +121,11 @@ public:
   double n_particles() const;
 
 private:
+  /// Number of materials in a box that has a particle of each, see mpm::seed().
+  /// @param lower corner [m]
+  /// @param cell_size of the grid there [m]
+  unsigned int n_materials_in(const dealii::Point<3> &lower,
+                              double cell_size) const;
   void make_materials(const RegionDescriptions &regions);
   void make_source(const MeshDescription &mesh,
                    const RegionDescriptions &regions);

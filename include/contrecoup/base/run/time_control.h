@@ -18,8 +18,10 @@ struct RunState
   double step_size = 0.;  ///< of the last step [s]
   /// Last step size that the solver chose without a bound [s].
   double unbounded_step = 0.;
-  std::uint64_t retries = 0;     ///< total number of step size reductions
-  double updates = 0.;           ///< total number of updated unknowns
+  std::uint64_t retries = 0; ///< total number of step size reductions
+  double updates = 0.;       ///< total number of updated unknowns
+  /// Largest number of mesh cells since this start; not in checkpoints.
+  std::uint64_t largest_cells = 0;
   std::uint64_t field_index = 0; ///< index of the next field output
   /// Steps of the last written rows and fields; -1: none.
   std::int64_t history_step = -1;

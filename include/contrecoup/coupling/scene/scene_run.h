@@ -4,13 +4,11 @@
 #pragma once
 
 #include <contrecoup/base/system/collective.h>
-#include <contrecoup/coupling/scene/planned_scene.h>
-#include <contrecoup/coupling/task/scene_task.h>
+#include <contrecoup/coupling/scene/scene_costs.h>
 #include <contrecoup/io/output/folder_claim.h>
 
 #include <memory>
 #include <optional>
-#include <utility>
 #include <vector>
 
 namespace contrecoup::coupling
@@ -34,15 +32,11 @@ public:
   void execute();
 
 private:
-  /// Cost estimate of a task; nothing where an optional one cannot be run.
-  std::optional<CostEstimate> cost_of(SceneTask &task);
-  /// Cost estimates of the unfinished tasks and of the report.
-  std::vector<std::pair<std::string, CostEstimate>> costs();
+  StageCosts costs();
   /// Writes the forecast for other programs, see io::write_check_file().
-  void write_forecast(const CostEstimate &cost) const;
+  void write_forecast(const StageCosts &costs) const;
   /// Says which tasks a run has and what they cost.
-  void show_stages(
-    const std::vector<std::pair<std::string, CostEstimate>> &costs) const;
+  void show_stages(const StageCosts &costs) const;
   /// Checks all stages before the first one begins, with cost estimates if the
   /// scene wants them.
   void forecast();

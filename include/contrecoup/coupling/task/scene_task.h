@@ -136,6 +136,13 @@ public:
     arguments_ = arguments;
   }
 
+  /// Sets further arguments of check(), for what earlier tasks have not made
+  /// yet.
+  void set_check_arguments(const std::vector<std::string> &arguments)
+  {
+    check_arguments_ = arguments;
+  }
+
   /// Sets the translation of entry names in the task's messages.
   void set_words(const SceneWords &words)
   {
@@ -187,7 +194,7 @@ private:
   bool can_resume_;
   bool is_optional_ = false;
   Runner runner_;
-  std::vector<std::string> arguments_;
+  std::vector<std::string> arguments_, check_arguments_;
   TaskRecord record_;
   Status status_;
   Failure stop_;

@@ -58,6 +58,9 @@ namespace io
     /// Part of the usual processor time that --check may spend on trial runs;
     /// 0: none, the estimate of the solver counts.
     double trial_share = 1.;
+
+    /// Whether the mesh changes during the run. Empty: never.
+    std::function<bool(const dealii::ParameterHandler &)> adapts = {};
   };
 
   /**

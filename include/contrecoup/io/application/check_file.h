@@ -7,6 +7,7 @@
 #include <contrecoup/io/output/manifest.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace contrecoup
@@ -22,6 +23,8 @@ namespace io
     /// summary.json, "gauge_measures.csv:*" in a table, "blast/results.*" in
     /// the folder of a stage.
     std::vector<std::string> outputs;
+    /// Names and costs of the stages of a scene; empty for others.
+    std::vector<std::pair<std::string, CostEstimate>> stages = {};
   };
 
   /// Numbers in summary.json of a solver with this plan; those of any plan if

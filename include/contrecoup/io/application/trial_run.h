@@ -5,7 +5,9 @@
 
 #include <contrecoup/base/system/collective.h>
 #include <contrecoup/io/application/application.h>
+#include <contrecoup/io/file/temporary_folder.h>
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -31,20 +33,30 @@ namespace io
     std::vector<TrialStage> stages;
     double setup_seconds = 0.;  ///< of all stages [s]
     double output_seconds = 0.; ///< for field output [s]
-    double field_bytes = 0.;    ///< of all fields [byte]
-    double table_bytes = 0.;    ///< of history and probes [byte]
-    double load_bytes = 0.;     ///< of recorded loads [byte]
+    double volume_bytes = 0.;   ///< of fields of all cells [byte]
+    double plane_bytes = 0.;    ///< of fields with a resolution of their own
+    double surface_bytes = 0.;  ///< of recorded loads and fields on a skin
+    double table_bytes = 0.;    ///< of tables with a row for steps [byte]
+    double other_bytes = 0.;    ///< of files as large for any mesh [byte]
     double known_cells = 0.;    ///< initial cells by the solver's estimate
     double unknowns_per_cell = 0.;
     double memory_per_cell = 0.; ///< by the solver's estimate [byte]
     double peak_memory = 0.;     ///< of all ranks [byte]
     double seconds = 0.;         ///< processor time of the trial itself [s]
     double field_seconds = 0.;   ///< part of `seconds` for fields [s]
+    /// Holds what the trial wrote, on the first rank only.
+    std::shared_ptr<TemporaryFolder> folder;
+
+    double output_bytes() const
+    {
+      return volume_bytes + plane_bytes + surface_bytes + table_bytes +
+             other_bytes;
+    }
   };
 
   /**
    * Runs a scene with 2^@p levels times larger cells to its end, silently,
-   * with its output in a temporary folder that is removed. If the trial is
+   * with its output in a temporary folder. If the trial is
    * stopped after @p longest seconds of wall time, its cost is extrapolated in
    * proportion to simulated time. Collective.
    * @param prm all entries of the scene
@@ -56,5 +68,12 @@ namespace io
                                unsigned int levels,
                                double longest,
                                Collective &collective);
+
+  /// Draws the pictures of a trial that came to its end as the run would,
+  /// silently; returns the wall time [s] and the size [byte]. Collective.
+  std::pair<double, double>
+  try_drawing(const ApplicationDescription &description,
+              const Trial &trial,
+              Collective &collective);
 } // namespace io
 } // namespace contrecoup

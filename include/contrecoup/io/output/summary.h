@@ -45,10 +45,14 @@ namespace io
     std::map<std::string, double> timers; ///< [s]
   };
 
+  /// Takes over size, errors, results, checks and audit. Collective.
+  void describe(Simulation &simulation, Summary &summary);
+
   /**
    * Text of summary.json. "wall_seconds" at the top is the total, that under
    * "performance" the time loop; "core_seconds" there is the total processor
-   * time of all ranks. For each conserved quantity Q of the history,
+   * time of all ranks, "largest_cells" the largest number of cells of this
+   * start. For each conserved quantity Q of the history,
    * "conservation" has Q_first, Q_last and Q_relative_change = (last - first)
    * / |first|. Values that are not finite become null. "resumed_from_step" is
    * the step of the checkpoint from which this start resumed, null for a new

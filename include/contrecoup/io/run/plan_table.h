@@ -23,6 +23,11 @@ namespace io
   std::vector<std::string> audit_lines(const std::vector<Assumption> &plan,
                                        const std::vector<Assumption> &audit);
 
+  /// Sums for runs one after the other, and the largest memory. Time and output
+  /// are 0, which is unknown, where those of a run are.
+  CostEstimate
+  total_of(const std::vector<std::pair<std::string, CostEstimate>> &costs);
+
   /// A table of what runs are expected to cost, with a heading, a row for each,
   /// and one for all of them, one after the other, if there are several. What
   /// is 0 or not a number is unknown.

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/log.h>
+#include <contrecoup/coupling/scene/scene_costs.h>
+
+#include <optional>
+
+namespace contrecoup::coupling
+{
+namespace
+{
+  /// Of the usual time for trial runs; a coarser stage needs fewer.
+  constexpr double coarser_trial_share = 0.25;
+
+  /// Time to draw a report on two cores of 2021 [s].
+  constexpr double drawing_seconds = 12.;
+
+  /// Cost estimate of a task; nothing where an optional one cannot be run.
+  std::optional<CostEstimate> cost_of(SceneTask &task, Collective &collective)
+  {
+    if (!task.is_optional())
+      return task.check(1., collective);
+    try
+    {
+      return task.check(coarser_trial_share, collective);
+    }
+    catch (const InputError &error)
+    {
+      log_line("WARNING: no estimate of the numerical error: " +
+               std::string(error.what()));
+      return {};
+    }
+  }
+} // namespace
+
+
+StageCosts estimate_costs(std::vector<SceneTask> &tasks,
+                          const double report_bytes,
+                          Collective &collective)
+{
+  const LogPart part("forecast");
+  StageCosts costs;
+  for (SceneTask &task : tasks)
+  {
+    if (task.is_finished())
+      continue;
+    log_line("stage " + task.name() + ":");
+    const std::optional<CostEstimate> cost = cost_of(task, collective);
+    if (!cost)
+      break;
+    costs.emplace_back(task.name(), *cost);
+  }
+  if (costs.empty() || report_bytes == 0.)
+    return costs;
+  CostEstimate drawing;
+  drawing.seconds = drawing_seconds;
+  drawing.output = report_bytes;
+  costs.emplace_back("report", drawing);
+  return costs;
+}
+
+
+double size_of_report(const PlannedScene &scene)
+{
+  if (!scene.parameters().draws_report)
+    return 0.;
+  const double loads = scene.person().axes() ? 2.9e6 : 1.2e6;
+  return loads + (scene.parameters().wants_injury() ? 9e5 : 0.) + 1e5;
+}
+} // namespace contrecoup::coupling
