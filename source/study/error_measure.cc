@@ -3,6 +3,7 @@
 
 #include <contrecoup/base/parameters/bounds.h>
 #include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/parameters/selecting.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/readable_file.h>
 #include <contrecoup/base/system/text.h>
@@ -114,13 +115,13 @@ void ErrorMeasure::declare_parameters(ParameterHandler &prm)
     {"exact", "known value", "reference run", "self convergence", "none"},
     "Reference of the error: exact solution, as summary.json states; known "
     "value; another run; Richardson extrapolation on finer meshes; or none.");
-  declare_string(prm,
-                 "Name",
-                 "density_L1",
-                 "For exact, the name below \"errors\" in summary.json; for "
-                 "summary, the address of an output, see Study/Columns; for "
-                 "probe or history, the column of probes.csv or history.csv; "
-                 "for a plane, file and quantity as plane_y_0_pressure.");
+  declare_string(
+    prm,
+    "Name",
+    "density_L1",
+    selecting("For exact, the name below \"errors\" in summary.json; for "
+              "summary, an output as in Study/Columns; for probe or history, "
+              "their column; for a plane, its plane_y_0_pressure."));
   declare_selection(prm,
                     "Quantity",
                     "summary",

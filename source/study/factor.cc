@@ -3,6 +3,7 @@
 
 #include <contrecoup/base/parameters/parameter_tree.h>
 #include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/parameters/selecting.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/study/factor.h>
@@ -93,11 +94,12 @@ double leading_number(const std::string &text)
 
 void Factor::declare_parameters(ParameterHandler &prm)
 {
-  declare_string(prm,
-                 "Entry",
-                 "",
-                 "The varied entry, \"Section/Subsection/Entry\"; several "
-                 "entries that change together are separated by \"|\".");
+  declare_string(
+    prm,
+    "Entry",
+    "",
+    selecting("The varied entry, \"Section/Subsection/Entry\"; several "
+              "entries that change together are separated by \"|\"."));
   declare_string(prm,
                  "Values",
                  "",

@@ -3,6 +3,7 @@
 
 #include <contrecoup/base/parameters/bounds.h>
 #include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/parameters/selecting.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/study/study_parameters.h>
@@ -36,24 +37,24 @@ namespace
       "Settings",
       "",
       "Entries overridden in all variants: \"Section/Entry=value; ...\".");
-    declare_string(prm,
-                   "Columns",
-                   "",
-                   "Outputs of the runs for tables and curves, separated by "
-                   "\";\": results.NAME, a path in summary.json; "
-                   "STAGE/results.NAME, that of a stage of a scene; "
-                   "FILE.json:PATH; FILE.csv:ROW:COLUMN, of a history "
-                   "FILE.csv:FEATURE:COLUMN with first, last, largest, "
-                   "smallest, peak, lowest, impulse or arrival. \"*\" stands "
-                   "for any letters; \"ADDRESS as TITLE\" names a column; "
-                   "\"ADDRESS if any\" may be missing in some runs.");
+    declare_string(
+      prm,
+      "Columns",
+      "",
+      selecting("Outputs of the runs for tables and curves, separated by "
+                "\";\": results.NAME, a path in summary.json; "
+                "STAGE/results.NAME, that of a stage of a scene; "
+                "FILE.json:PATH; FILE.csv:ROW:COLUMN, of a history "
+                "FILE.csv:FEATURE:COLUMN with first, last, largest, "
+                "smallest, peak, lowest, impulse or arrival. \"*\" stands "
+                "for any letters; \"ADDRESS as TITLE\" names a column; "
+                "\"ADDRESS if any\" may be missing in some runs."));
     declare_selection(prm,
                       "Mode",
                       "work precision",
                       {"work precision", "stability map"},
                       "work precision: error against cost; stability map: "
-                      "outcome of each variant over the plane of two "
-                      "factors.");
+                      "outcome of each variant over two factors.");
     declare_selection(prm,
                       "Design",
                       "full grid",

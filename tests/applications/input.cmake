@@ -1,3 +1,7 @@
+# Every entry that selects something refuses to select nothing.
+_contrecoup_register_test(input_selections TIMEOUT 600 LABELS refusal
+  COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/selections.py
+    $<TARGET_FILE_DIR:blast>)
 # What --check forecasts is what the run needs, for cheap runs of each application.
 _contrecoup_register_test(input_forecasts TIMEOUT 900
   COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/tests/validation/forecasts.py

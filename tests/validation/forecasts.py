@@ -9,7 +9,8 @@ runs of every application and for each stage of scenes.
 Asks BUILD/bin/APPLICATION for a forecast of each case (or of those NAMEd), runs
 it in FOLDER and prints forecast / found for the largest number of cells, steps,
 peak memory and bytes of output, which must lie between 1/1.3 and 1.3, steps
-between 1/1.5 and 1.5; a second --check knows the first. A dash is a number that --check leaves out, where the
+between 1/1.5 and 1.5; a second --check knows the first. A dash is a number
+that --check leaves out, where the
 case allows that. Trial runs have the levels of the case, so that the ratios are
 those of any machine. With --cheap, only the cases of the test `forecasts` run;
 all take ten minutes on one core.

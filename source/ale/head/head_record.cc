@@ -3,6 +3,7 @@
 
 #include <contrecoup/ale/head/head_record.h>
 #include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/parameters/selecting.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/io/file/binary_records.h>
@@ -70,16 +71,18 @@ namespace
 void HeadRecord::declare_parameters(ParameterHandler &prm)
 {
   const Section section(prm, "Injury");
-  declare_string(prm,
-                 brain_entry,
-                 "brain",
-                 "Region, by name or Layer, whose strains and pressures are "
-                 "recorded for injury.csv. Empty: none.");
-  declare_string(prm,
-                 skull_entry,
-                 "skull",
-                 "Region, by name or Layer, whose mean motion is recorded for "
-                 "injury.csv. Empty, or none is called skull: the brain.");
+  declare_string(
+    prm,
+    brain_entry,
+    "brain",
+    selecting("Region, by name or Layer, whose strains and pressures are "
+              "recorded for injury.csv. Empty: none."));
+  declare_string(
+    prm,
+    skull_entry,
+    "skull",
+    selecting("Region, by name or Layer, whose mean motion is recorded for "
+              "injury.csv. Empty, or none is called skull: the brain."));
   declare_selection(prm,
                     "Pressure",
                     "averaged",

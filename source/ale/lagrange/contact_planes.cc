@@ -5,6 +5,7 @@
 #include <contrecoup/ale/mesh/boundary_areas.h>
 #include <contrecoup/base/parameters/parameter_tree.h>
 #include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/parameters/selecting.h>
 #include <contrecoup/base/system/exceptions.h>
 
 #include <algorithm>
@@ -35,16 +36,17 @@ void ContactPlanes::declare_parameters(ParameterHandler &prm)
                -1e6,
                1e6,
                "m",
-               "A point on the rigid plane.");
-  declare_list(prm,
-               "Normal",
-               "0, 0, 1",
-               3,
-               3,
-               -1e6,
-               1e6,
-               "-",
-               "Normal of the plane towards the matter, of any length.");
+               selecting("A point on the rigid plane."));
+  declare_list(
+    prm,
+    "Normal",
+    "0, 0, 1",
+    3,
+    3,
+    -1e6,
+    1e6,
+    "-",
+    selecting("Normal of the plane towards the matter, of any length."));
   declare_double(
     prm,
     "Friction",

@@ -5,6 +5,7 @@
 #include <contrecoup/ale/mesh/region_descriptions.h>
 #include <contrecoup/base/parameters/parameter_tree.h>
 #include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/parameters/selecting.h>
 #include <contrecoup/base/parameters/selections.h>
 #include <contrecoup/base/system/coordinates.h>
 #include <contrecoup/base/system/exceptions.h>
@@ -26,18 +27,20 @@ namespace
 
   void declare_state(ParameterHandler &prm)
   {
-    declare_string(prm,
-                   "Where",
-                   "1",
-                   "muParser expression of x, y, z that is true at the "
-                   "centres of the region's cells; later regions win.");
-    declare_string(prm,
-                   "Layer",
-                   "any",
-                   "Layer of the region: brain, csf, skull or scalp of a "
-                   "layered head; number or name of a material of a file, "
-                   "which is the tissue in files of `anatomy`; any is the "
-                   "whole mesh.");
+    declare_string(
+      prm,
+      "Where",
+      "1",
+      selecting("muParser expression of x, y, z that is true at the "
+                "centres of the region's cells; later regions win."));
+    declare_string(
+      prm,
+      "Layer",
+      "any",
+      selecting("Layer of the region: brain, csf, skull or scalp of a "
+                "layered head; number or name of a material of a file, "
+                "which is the tissue in files of `anatomy`; any is the "
+                "whole mesh."));
     declare_string(prm,
                    "Density",
                    "1.2",

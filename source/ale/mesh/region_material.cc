@@ -4,6 +4,7 @@
 #include <contrecoup/ale/mesh/region_material.h>
 #include <contrecoup/base/parameters/expression.h>
 #include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/parameters/selecting.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/materials/explosives.h>
@@ -369,13 +370,14 @@ void declare_region_material(ParameterHandler &prm)
   declare_strength(prm);
   declare_softening(prm);
   declare_viscosity(prm);
-  declare_selection(prm,
-                    "Interface",
-                    "stick",
-                    {"stick", "slip"},
-                    "Interface of a fluid with other regions. stick: shared "
-                    "nodes; slip: frictionless sliding without separation. "
-                    "Slipping regions stick to each other.");
+  declare_selection(
+    prm,
+    "Interface",
+    "stick",
+    {"stick", "slip"},
+    selecting("Interface of a fluid with other regions. stick: shared "
+              "nodes; slip: frictionless sliding without separation. "
+              "Slipping regions stick to each other."));
 }
 
 

@@ -4,6 +4,7 @@
 #include <contrecoup/ale/particles/particle_extents.h>
 #include <contrecoup/base/parameters/parameter_tree.h>
 #include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/parameters/selecting.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/log.h>
 #include <contrecoup/base/system/text.h>
@@ -57,7 +58,7 @@ unsigned int find_material(const std::vector<mpm::ParticleMaterial> &materials,
 void ParticleExtents::declare_parameters(ParameterHandler &prm)
 {
   const Section section(prm, "Extent *");
-  declare_string(prm, "Region", "bar", "Region of the particles.");
+  declare_string(prm, "Region", "bar", selecting("Region of the particles."));
   declare_selection(prm,
                     "Direction",
                     "x",

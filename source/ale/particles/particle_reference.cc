@@ -4,6 +4,7 @@
 #include <contrecoup/ale/exact/reference.h>
 #include <contrecoup/ale/particles/particle_reference.h>
 #include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/parameters/selecting.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/log.h>
 #include <contrecoup/base/system/text.h>
@@ -95,7 +96,7 @@ void ParticleReference::declare_parameters(ParameterHandler &prm)
     ProbeDisplacements::declare_parameters(prm);
   }
   const Section section(prm, "Front");
-  declare_string(prm, "Region", "water", "Region of the front.");
+  declare_string(prm, "Region", "water", selecting("Region of the front."));
   declare_selection(prm,
                     "Direction",
                     "x",

@@ -4,6 +4,7 @@
 #include <contrecoup/ale/particles/particle_extents.h>
 #include <contrecoup/ale/particles/particle_scene.h>
 #include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/parameters/selecting.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/log.h>
 #include <contrecoup/base/system/text.h>
@@ -48,12 +49,13 @@ namespace
       "Particles per cell along x, y and z; 2, 2, 2 puts 8 into a full cell.");
     declare_selection(
       prm, "Basis", "cubic", mpm::basis_names(), "B-splines of the grid.");
-    declare_string(prm,
-                   "Fine regions",
-                   "",
-                   "Names of regions, separated by commas: grid cells at "
-                   "their initial positions are halved for the whole run, "
-                   "in blocks of 2 x 2 x 2. Empty: none.");
+    declare_string(
+      prm,
+      "Fine regions",
+      "",
+      selecting("Names of regions, separated by commas: grid cells at "
+                "their initial positions are halved for the whole run, "
+                "in blocks of 2 x 2 x 2. Empty: none."));
     declare_double(
       prm,
       "Fine margin",

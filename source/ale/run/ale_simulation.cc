@@ -7,6 +7,7 @@
 #include <contrecoup/ale/run/ale_output.h>
 #include <contrecoup/ale/run/ale_simulation.h>
 #include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/parameters/selecting.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/log.h>
 #include <contrecoup/base/system/timers.h>
@@ -74,11 +75,12 @@ void AleSimulation::declare_parameters(ParameterHandler &prm)
                  "folder pictures, and of a head a report.");
   }
   const Section section(prm, "Probes");
-  declare_points(prm,
-                 "Points",
-                 "",
-                 "m",
-                 "Probe positions; the initially nearest cell is recorded.");
+  declare_points(
+    prm,
+    "Points",
+    "",
+    "m",
+    selecting("Probe positions; the initially nearest cell is recorded."));
 }
 
 

@@ -3,6 +3,7 @@
 
 #include <contrecoup/base/parameters/bounds.h>
 #include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/parameters/selecting.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/gas/adaptation/adaptation_parameters.h>
 
@@ -50,16 +51,17 @@ namespace
 
   void declare_fine_box(ParameterHandler &prm)
   {
-    declare_list(prm,
-                 "Fine box lower corner",
-                 "0, 0, 0",
-                 1,
-                 3,
-                 -bounds::length,
-                 bounds::length,
-                 "m",
-                 "Corner with the smallest coordinates of a box with a "
-                 "smallest refinement level.");
+    declare_list(
+      prm,
+      "Fine box lower corner",
+      "0, 0, 0",
+      1,
+      3,
+      -bounds::length,
+      bounds::length,
+      "m",
+      selecting("Corner with the smallest coordinates of a box with a "
+                "smallest refinement level."));
     declare_list(prm,
                  "Fine box upper corner",
                  "1, 1, 1",
@@ -68,7 +70,7 @@ namespace
                  -bounds::length,
                  bounds::length,
                  "m",
-                 "Corner with the largest coordinates of this box.");
+                 selecting("Corner with the largest coordinates of this box."));
     declare_integer(prm,
                     "Fine box levels",
                     "0",

@@ -4,6 +4,7 @@
 #include <contrecoup/base/parameters/bounds.h>
 #include <contrecoup/base/parameters/parameter_tree.h>
 #include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/parameters/selecting.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/gas/adaptation/size_limits.h>
 
@@ -36,10 +37,11 @@ namespace
   {
     Region::declare_parameters(
       prm,
-      "Region of the limit, tested at the centres of leaves: the whole domain, "
-      "within Radius of a Center, farther from all Centers, or between two "
-      "corners. A leaf of any size that intersects a ball gets the ball's "
-      "Smallest level and is exempt from a Largest level outside of the ball.");
+      selecting(
+        "Region of the limit, tested at the centres of leaves: the whole domain, "
+        "within Radius of a Center, farther from all Centers, or between two "
+        "corners. A leaf of any size that intersects a ball gets the ball's "
+        "Smallest level and is exempt from a Largest level outside of the ball."));
     declare_double(prm,
                    "Radius growth",
                    "0",

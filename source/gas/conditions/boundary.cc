@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/parameters/selecting.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/gas/conditions/boundary.h>
 #include <contrecoup/gas/state/state_parameters.h>
@@ -71,12 +72,13 @@ void Boundary<dim>::declare_parameters(ParameterHandler &prm)
       "axis), a non-reflecting open side, an inflow of the "
       "state of subsection Inflow, or the initial state or reference "
       "solution at that position and time.");
-  declare_string(prm,
-                 "By id",
-                 "",
-                 "For meshes other than boxes: \"id: kind, id: kind\", with "
-                 "the boundary ids of the mesh and the kinds above; ids that "
-                 "are not listed are walls.");
+  declare_string(
+    prm,
+    "By id",
+    "",
+    selecting("For meshes other than boxes: \"id: kind, id: kind\", with "
+              "the boundary ids of the mesh and the kinds above; ids that "
+              "are not listed are walls."));
   const Section inflow(prm, "Inflow");
   declare_state(prm);
 }

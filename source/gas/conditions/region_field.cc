@@ -3,6 +3,7 @@
 
 #include <contrecoup/base/parameters/bounds.h>
 #include <contrecoup/base/parameters/parameter_tree.h>
+#include <contrecoup/base/parameters/selecting.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/gas/conditions/region_field.h>
@@ -22,13 +23,14 @@ namespace
 
   void declare_region(ParameterHandler &prm)
   {
-    declare_selection(prm,
-                      "Shape",
-                      "sphere",
-                      {"sphere", "box", "half space"},
-                      "Points within Radius of the Center, points between "
-                      "two corners, or points on the side of the plane "
-                      "through Center that Normal does not point to.");
+    declare_selection(
+      prm,
+      "Shape",
+      "sphere",
+      {"sphere", "box", "half space"},
+      selecting("Points within Radius of the Center, points between "
+                "two corners, or points on the side of the plane "
+                "through Center that Normal does not point to."));
     for (const std::string name : {"Center", "Lower corner", "Upper corner"})
       declare_list(prm,
                    name,

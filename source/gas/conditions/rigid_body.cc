@@ -3,6 +3,7 @@
 
 #include <contrecoup/base/parameters/parameter_tree.h>
 #include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/parameters/selecting.h>
 #include <contrecoup/gas/conditions/rigid_body.h>
 #include <contrecoup/geometry/body/body_description.h>
 #include <contrecoup/geometry/shape/composed_shapes.h>
@@ -41,9 +42,10 @@ namespace
                     "Levels within this region, if larger than elsewhere.");
     Region::declare_parameters(
       prm,
-      "Shape of the region: the whole domain, within Radius of a Center, "
-      "farther from all Centers, or between two corners. Leaves that "
-      "intersect the region belong to it.");
+      selecting(
+        "Shape of the region: the whole domain, within Radius of a Center, "
+        "farther from all Centers, or between two corners. Leaves that "
+        "intersect the region belong to it."));
   }
 
 

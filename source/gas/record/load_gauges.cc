@@ -3,6 +3,7 @@
 
 #include <contrecoup/base/parameters/bounds.h>
 #include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/parameters/selecting.h>
 #include <contrecoup/base/system/coordinates.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
@@ -79,13 +80,14 @@ namespace
 
 void LoadGauges::declare_parameters(dealii::ParameterHandler &prm)
 {
-  declare_string(prm,
-                 "Gauges",
-                 "",
-                 "Gauges on the body in addition to the phantom's landmarks, "
-                 "as \"name: x, y, z; name: ...\" [m]; each is moved to the "
-                 "nearest point of the surface, by at most Gauge radius and "
-                 "two cells.");
+  declare_string(
+    prm,
+    "Gauges",
+    "",
+    selecting("Gauges on the body in addition to the phantom's landmarks, "
+              "as \"name: x, y, z; name: ...\" [m]; each is moved to the "
+              "nearest point of the surface, by at most Gauge radius and "
+              "two cells."));
   declare_double(prm,
                  "Gauge radius",
                  "0.02",

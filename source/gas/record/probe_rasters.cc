@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/parameters/selecting.h>
 #include <contrecoup/base/parameters/selections.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/log.h>
@@ -79,18 +80,20 @@ template <int dim>
 void ProbeRasters<dim>::declare_parameters(ParameterHandler &prm)
 {
   const Section section(prm, "Probes");
-  declare_string(prm,
-                 "Lines",
-                 "",
-                 "Lines of probes \"begin : end : number; ...\" [m], such as "
-                 "\"0,0,0 : 2,0,0 : 101\", whose peak overpressure, impulse, "
-                 "arrival and duration are written with the fields.");
-  declare_string(prm,
-                 "Gauge planes",
-                 "",
-                 "Planes of probes \"begin : end : numbers; ...\" [m] "
-                 "between two opposite corners, such as \"-2,-2,0 : 2,2,0 : "
-                 "81, 81\".");
+  declare_string(
+    prm,
+    "Lines",
+    "",
+    selecting("Lines of probes \"begin : end : number; ...\" [m], such as "
+              "\"0,0,0 : 2,0,0 : 101\", whose peak overpressure, impulse, "
+              "arrival and duration are written with the fields."));
+  declare_string(
+    prm,
+    "Gauge planes",
+    "",
+    selecting("Planes of probes \"begin : end : numbers; ...\" [m] "
+              "between two opposite corners, such as \"-2,-2,0 : 2,2,0 : "
+              "81, 81\"."));
 }
 
 

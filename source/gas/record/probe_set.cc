@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/parameters/selecting.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/gas/record/blast_maps.h>
@@ -27,12 +28,13 @@ template <int dim>
 void ProbeSet<dim>::declare_parameters(ParameterHandler &prm)
 {
   const Section section(prm, "Probes");
-  declare_points(prm,
-                 "Points",
-                 "",
-                 "m",
-                 "Positions at which pressure, density and velocity are "
-                 "recorded in every step.");
+  declare_points(
+    prm,
+    "Points",
+    "",
+    "m",
+    selecting("Positions at which pressure, density and velocity are "
+              "recorded in every step."));
   declare_bool(prm,
                "Injury",
                "false",

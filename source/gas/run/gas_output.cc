@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/parameters/selecting.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/gas/octree/lattice.h>
@@ -176,12 +177,13 @@ void GasOutput<dim>::declare_parameters(ParameterHandler &prm)
                  "cell and output.");
   }
   const Section section(prm, "Pictures");
-  declare_string(prm,
-                 "Planes",
-                 "",
-                 "Planes \"y = 0, z = 0.5\" [m] on which pressure and "
-                 "density are sampled for pictures at every field output; "
-                 "in 2-D \"all\" takes the whole domain.");
+  declare_string(
+    prm,
+    "Planes",
+    "",
+    selecting("Planes \"y = 0, z = 0.5\" [m] on which pressure and "
+              "density are sampled for pictures at every field output; "
+              "in 2-D \"all\" takes the whole domain."));
   declare_integer(prm,
                   "Resolution",
                   "256",

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/parameters/selecting.h>
 #include <contrecoup/base/parameters/selections.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
@@ -213,12 +214,13 @@ void ImageDescription::declare_parameters(dealii::ParameterHandler &prm)
                "",
                "NIfTI-1 image with the same voxels as the T1-weighted "
                "image, positive inside the brain.");
-  declare_string(prm,
-                 "Labels",
-                 "",
-                 "Tissue of each label, such as \"1: brain; 2-5: skeleton; "
-                 "7: scalp = soft tissue\"; none excludes a label from the "
-                 "body, as is label 0 unless named.");
+  declare_string(
+    prm,
+    "Labels",
+    "",
+    selecting("Tissue of each label, such as \"1: brain; 2-5: skeleton; "
+              "7: scalp = soft tissue\"; none excludes a label from the "
+              "body, as is label 0 unless named."));
   const Section section(prm, "Head");
   HeadRules::declare_parameters(prm);
 }

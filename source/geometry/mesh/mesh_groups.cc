@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/parameters/selecting.h>
 #include <contrecoup/base/parameters/selections.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
@@ -76,9 +77,10 @@ void MeshGroups::declare_parameters(dealii::ParameterHandler &prm)
     prm,
     "Tissues",
     "",
-    "Tissue of each group of cells in the file, by number or name: \"1: brain; "
-    "2-5: skeleton; scalp: soft tissue\"; groups that are named as a tissue, as "
-    "in mesh.msh of `anatomy`, need no row, all others do.");
+    selecting(
+      "Tissue of each group of cells in the file, by number or name: \"1: brain; "
+      "2-5: skeleton; scalp: soft tissue\"; groups that are named as a tissue, as "
+      "in mesh.msh of `anatomy`, need no row, all others do."));
 }
 
 

@@ -3,6 +3,7 @@
 
 #include <contrecoup/base/parameters/parameter_tree.h>
 #include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/parameters/selecting.h>
 #include <contrecoup/base/parameters/selections.h>
 #include <contrecoup/base/parameters/tissue_list.h>
 #include <contrecoup/base/system/exceptions.h>
@@ -73,13 +74,14 @@ namespace
                  1e5,
                  "-",
                  "Number of elements of the box along x, y and z.");
-    declare_string(prm,
-                   "Refined where",
-                   "",
-                   "muParser expression of x, y, z: elements of the box "
-                   "with a true value at their centre are refined once. "
-                   "Several expressions, separated by ';', apply one after "
-                   "the other. Hanging nodes arise where sizes differ.");
+    declare_string(
+      prm,
+      "Refined where",
+      "",
+      selecting("muParser expression of x, y, z: elements of the box "
+                "with a true value at their centre are refined once. "
+                "Several expressions, separated by ';', apply one after "
+                "the other. Hanging nodes arise where sizes differ."));
     declare_double(prm,
                    "Distortion",
                    "0",
@@ -165,11 +167,12 @@ namespace
                    "Tissue",
                    "soft tissue",
                    "Tissue of the elements of this region, as Mesh/Tissue.");
-    declare_string(prm,
-                   "Where",
-                   "1",
-                   "muParser expression of x, y, z that is true at the "
-                   "centres of the region's elements; later regions win.");
+    declare_string(
+      prm,
+      "Where",
+      "1",
+      selecting("muParser expression of x, y, z that is true at the "
+                "centres of the region's elements; later regions win."));
   }
 } // namespace
 

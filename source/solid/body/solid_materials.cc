@@ -3,6 +3,7 @@
 
 #include <contrecoup/base/parameters/new_tissues.h>
 #include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/parameters/selecting.h>
 #include <contrecoup/base/parameters/tissue_list.h>
 #include <contrecoup/solid/body/solid_materials.h>
 
@@ -44,13 +45,14 @@ void SolidMaterials::declare_parameters(ParameterHandler &prm)
                     "sets have constant moduli. With \"linear\" all have "
                     "constant moduli; the lung then collapses under more than "
                     "some hundred kilopascals.");
-  declare_string(prm,
-                 "Cavitating tissues",
-                 "",
-                 "Tissues that bear no tension beyond Least pressure: names "
-                 "separated by commas. Cavities open there at constant "
-                 "pressure and collapse when the matter meets again. Empty: "
-                 "all bear any tension.");
+  declare_string(
+    prm,
+    "Cavitating tissues",
+    "",
+    selecting("Tissues that bear no tension beyond Least pressure: names "
+              "separated by commas. Cavities open there at constant "
+              "pressure and collapse when the matter meets again. Empty: "
+              "all bear any tension."));
   declare_double(prm,
                  "Least pressure",
                  "-98.99e3",

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/parameters/selecting.h>
 #include <contrecoup/base/parameters/tissue_list.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/io/file/binary_records.h>
@@ -44,16 +45,18 @@ void SlipTies::declare_parameters(dealii::ParameterHandler &prm)
                     "tied: all tissues share their nodes; slip: between "
                     "Tissues and Against only the normal motion is shared, "
                     "and there is no friction.");
-  declare_string(prm,
-                 "Tissues",
-                 "",
-                 "Tissues on one side of the interface, such as \"skeleton\", "
-                 "separated by commas.");
-  declare_string(prm,
-                 "Against",
-                 "",
-                 "Tissues on the other side, such as \"cerebrospinal fluid, "
-                 "brain\". Nodes that third tissues touch stay tied.");
+  declare_string(
+    prm,
+    "Tissues",
+    "",
+    selecting("Tissues on one side of the interface, such as \"skeleton\", "
+              "separated by commas."));
+  declare_string(
+    prm,
+    "Against",
+    "",
+    selecting("Tissues on the other side, such as \"cerebrospinal fluid, "
+              "brain\". Nodes that third tissues touch stay tied."));
   declare_double(prm,
                  "Least pressure",
                  "-1e12",

@@ -3,6 +3,7 @@
 
 #include <contrecoup/base/parameters/parameter_tree.h>
 #include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/parameters/selecting.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/solid/boundary/supports.h>
@@ -19,7 +20,8 @@ void Supports::declare_parameters(ParameterHandler &prm)
     prm,
     "Where",
     "0",
-    "muParser expression of x, y, z that is true at the supported nodes.");
+    selecting(
+      "muParser expression of x, y, z that is true at the supported nodes."));
   declare_string(
     prm, "Directions", "x, y, z", "Supported components, separated by commas.");
   for (const std::string axis : {"x", "y", "z"})

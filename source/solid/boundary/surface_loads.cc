@@ -3,6 +3,7 @@
 
 #include <contrecoup/base/parameters/parameter_tree.h>
 #include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/parameters/selecting.h>
 #include <contrecoup/base/system/log.h>
 #include <contrecoup/solid/boundary/analytic_blast.h>
 #include <contrecoup/solid/boundary/recorded_loads.h>
@@ -80,8 +81,8 @@ void SurfaceLoads::declare_parameters(ParameterHandler &prm)
   declare_string(prm,
                  "Where",
                  "1",
-                 "muParser expression of x, y, z that is true at the "
-                 "centres of the loaded boundary facets.");
+                 selecting("muParser expression of x, y, z that is true at the "
+                           "centres of the loaded boundary facets."));
   declare_string(prm,
                  "Pressure",
                  "0",

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/parameters/selecting.h>
 #include <contrecoup/numerics/injury/chest_wall.h>
 #include <contrecoup/numerics/injury/load_injury.h>
 #include <contrecoup/solid/injury/chest_injury.h>
@@ -13,16 +14,17 @@ namespace contrecoup::solid
 {
 void ChestInjury::declare_parameters(dealii::ParameterHandler &prm)
 {
-  declare_list(prm,
-               "Chest",
-               "0.12, 0, 1.3",
-               3,
-               3,
-               -1e6,
-               1e6,
-               "m",
-               "Position of the chest; the pressure is that on the nearest "
-               "loaded facet.");
+  declare_list(
+    prm,
+    "Chest",
+    "0.12, 0, 1.3",
+    3,
+    3,
+    -1e6,
+    1e6,
+    "m",
+    selecting("Position of the chest; the pressure is that on the nearest "
+              "loaded facet."));
   declare_bool(prm,
                "Chest load",
                "true",

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/parameters/selecting.h>
 #include <contrecoup/base/system/coordinates.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
@@ -53,11 +54,12 @@ template <typename Real>
 void InjuryReport<Real>::declare_parameters(ParameterHandler &prm)
 {
   const Section section(prm, "Injury");
-  declare_bool(prm,
-               "Active",
-               "false",
-               "Whether strains and pressures of the brain, motion of the "
-               "head and pressure on the chest are recorded for injury.csv.");
+  declare_bool(
+    prm,
+    "Active",
+    "false",
+    selecting("Whether strains and pressures of the brain, motion of the "
+              "head and pressure on the chest are recorded for injury.csv."));
   declare_selection(prm,
                     "Pressure",
                     "averaged",
@@ -115,20 +117,26 @@ void InjuryReport<Real>::reinit(const SolidBody<Real> &body)
     record_.samples.push_back(sample);
   }
   find_skull(body);
-  chest_wall_.reinit(
-    mesh, chest_.place(), chest_.radius(), body.communicator());
-  if (has_lung(body))
-    refuse_far_chest();
+  find_chest(mesh, body.communicator());
   record_.last_time = body.time();
 }
 
 
 template <typename Real>
-bool InjuryReport<Real>::has_lung(const SolidBody<Real> &body)
+void InjuryReport<Real>::find_chest(const SolidMesh &mesh,
+                                    const MPI_Comm communicator)
 {
-  const auto &tissues = body.mesh().tissues;
-  return std::find(tissues.begin(), tissues.end(), Tissue::lung) !=
-         tissues.end();
+  chest_wall_.reinit(mesh, chest_.place(), chest_.radius(), communicator);
+  if (has_lung(mesh))
+    refuse_far_chest();
+}
+
+
+template <typename Real>
+bool InjuryReport<Real>::has_lung(const SolidMesh &mesh)
+{
+  return std::find(mesh.tissues.begin(), mesh.tissues.end(), Tissue::lung) !=
+         mesh.tissues.end();
 }
 
 
@@ -273,7 +281,7 @@ InjuryReport<Real>::measures(const SolidBody<Real> &body) const
   std::vector<InjuryMeasure> list;
   add_brain(body, list);
   add_head(list);
-  if (has_lung(body))
+  if (has_lung(body.mesh()))
     for (const InjuryMeasure &measure : chest_.measures())
       list.push_back(measure);
   apply(own_, list);

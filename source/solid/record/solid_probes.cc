@@ -4,6 +4,7 @@
 #include <contrecoup/base/parameters/bounds.h>
 #include <contrecoup/base/parameters/parameter_tree.h>
 #include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/parameters/selecting.h>
 #include <contrecoup/base/system/coordinates.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
@@ -117,16 +118,17 @@ void SolidProbes::declare_parameters(ParameterHandler &prm)
 {
   {
     const Section section(prm, "Probes");
-    declare_points(prm,
-                   "Points",
-                   "",
-                   "m",
-                   "Probe positions in the undeformed body; displacement "
-                   "and velocity are those of the nearest node, stresses "
-                   "and strains those of the element with the nearest "
-                   "centre, and the averaged pressure is the mean over that "
-                   "element's corners of the pressure in the elements of its "
-                   "tissue around each.");
+    declare_points(
+      prm,
+      "Points",
+      "",
+      "m",
+      selecting("Probe positions in the undeformed body; displacement "
+                "and velocity are those of the nearest node, stresses "
+                "and strains those of the element with the nearest "
+                "centre, and the averaged pressure is the mean over that "
+                "element's corners of the pressure in the elements of its "
+                "tissue around each."));
   }
   const Section section(prm, "Measures");
   const Section measure(prm, "Measure *");

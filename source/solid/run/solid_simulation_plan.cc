@@ -25,7 +25,7 @@ namespace
 
   /// Number of elements up to which --check builds the mesh to find what its
   /// entries select.
-  constexpr double cheap_mesh = 2e4;
+  constexpr double cheap_mesh = 1e5;
 
   /// Rotation of which small strain makes a strain of 1.25e-3 [rad].
   constexpr double notable_rotation = 0.05;
@@ -73,6 +73,8 @@ void SolidSimulation<Real>::check_selections()
   const SolidMesh part = distribute(mesh, communicator_, slip);
   require_selections(part, selectors(), communicator_);
   probes_.reinit(part, communicator_);
+  if (injury_.active())
+    injury_.find_chest(part, communicator_);
 }
 
 

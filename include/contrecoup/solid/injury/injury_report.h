@@ -42,6 +42,10 @@ public:
   /// no surface near the chest
   void reinit(const SolidBody<Real> &body);
 
+  /// Finds the surface near the chest, as reinit() does. Collective.
+  /// @throws InputError if the body has a lung but no surface there
+  void find_chest(const SolidMesh &mesh, MPI_Comm communicator);
+
   /// Call after each step. Collective.
   void record(const SolidBody<Real> &body);
 
@@ -59,7 +63,7 @@ public:
 private:
   void follow_brain(const SolidBody<Real> &body, const double span);
   void follow_head(const SolidBody<Real> &body);
-  static bool has_lung(const SolidBody<Real> &body);
+  static bool has_lung(const SolidMesh &mesh);
   /// @throws InputError if the chest is not on the body's surface
   void refuse_far_chest() const;
   void find_skull(const SolidBody<Real> &body);
