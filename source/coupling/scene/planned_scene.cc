@@ -175,6 +175,13 @@ void PlannedScene::print(const bool with_plan) const
 }
 
 
+double PlannedScene::person_mass() const
+{
+  constexpr double adult = 70.; // [kg], that of Bowen's curves
+  return has(Tissue::lung) ? body_mass_ : adult;
+}
+
+
 std::vector<std::string> PlannedScene::first_answer() const
 {
   std::vector<std::string> walls;
@@ -182,10 +189,14 @@ std::vector<std::string> PlannedScene::first_answer() const
     if (side.kind == "wall")
       walls.push_back("the " + side.in_words(*layout_) + " (" + side.entry() +
                       ")");
-  return coupling::first_answer(parameters_,
-                                *layout_,
-                                body_mass_,
-                                person_->description(),
-                                join(walls, " and "));
+  auto lines = coupling::first_answer(parameters_,
+                                      *layout_,
+                                      person_mass(),
+                                      person_->description(),
+                                      join(walls, " and "));
+  if (!has(Tissue::lung))
+    lines.push_back("  the body has no lungs: those of an adult of " +
+                    brief(person_mass()) + " kg are taken");
+  return lines;
 }
 } // namespace contrecoup::coupling

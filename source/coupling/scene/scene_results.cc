@@ -177,9 +177,10 @@ namespace
                  {"equivalence_of_impulse", tnt.impulse},
                  {"is_published", tnt.is_published},
                  {"source", tnt.source},
+                 {"body_mass", scene.person_mass()},
                  {"answer", nullptr}};
     if (const auto answer =
-          table_answer(scene.parameters(), scene.layout(), scene.body_mass()))
+          table_answer(scene.parameters(), scene.layout(), scene.person_mass()))
       json["answer"] = {{"arrival", answer->arrival},
                         {"impulse", answer->impulse},
                         {"duration", answer->duration},
@@ -236,10 +237,10 @@ void print_audit(const PlannedScene &scene, const std::string &folder)
                                    scene.has(Tissue::lung),
                                    folder)))
     log_line(line);
-  const std::string warning =
-    warning_of(compare_with_tables(
-                 scene.parameters(), scene.layout(), scene.body_mass(), folder),
-               scene.parameters().explosive);
+  const std::string warning = warning_of(
+    compare_with_tables(
+      scene.parameters(), scene.layout(), scene.person_mass(), folder),
+    scene.parameters().explosive);
   if (!warning.empty())
     log_line(warning);
 }
@@ -259,6 +260,7 @@ void write_scene(const PlannedScene &scene,
                                        scene.has(Tissue::lung),
                                        command.output_folder),
                            tasks);
+  const double person_mass = scene.person_mass();
   Json json = {
     {"application", "scene"},
     {"version", version()},
@@ -295,7 +297,7 @@ void write_scene(const PlannedScene &scene,
     {"tables", tables_of(scene)},
     {"table_comparison",
      comparison_rows(compare_with_tables(
-       scene.parameters(), layout, scene.body_mass(), command.output_folder))},
+       scene.parameters(), layout, person_mass, command.output_folder))},
     {"changes", change_rows(scene.parameters().changes)},
     {"warnings", warnings},
     {"remarks", scene.body().remarks()}};

@@ -196,11 +196,19 @@ namespace
 
     TaskText blast_text(const EntryChanges &changes) const
     {
-      return text_of(
-        "Blast",
-        blast_application(),
-        blast_entries(scene_.parameters(), scene_.layout(), scene_.body_mass()),
-        changes);
+      const auto entries = blast_entries(
+        scene_.parameters(), scene_.layout(), scene_.person_mass());
+      // The user's probes come after that beside the body, which verdicts need.
+      const auto with_own_probe = [&](const ParameterHandler &prm) {
+        auto list = changes ? changes(prm) : std::vector<Assignment>();
+        const std::string points = prm.get({"Probes"}, "Points");
+        for (const Assignment &own : entries)
+          if (own.entry == "Points" && !points.empty() && points != own.value)
+            list.push_back(
+              parse_override("Probes/Points=" + own.value + "; " + points));
+        return list;
+      };
+      return text_of("Blast", blast_application(), entries, with_own_probe);
     }
 
     TaskText biomechanics_text(const EntryChanges &changes) const

@@ -134,7 +134,7 @@ namespace
   lung_exposure_rows(const std::map<std::string, LoadInjury> &injuries)
   {
     std::string text;
-    for (const std::string &place : {chest, back})
+    for (const std::string &place : {chest, back, arms[0], arms[1]})
     {
       const auto found = injuries.find(place);
       if (found != injuries.end() && found->second.pulse.duration > 0.)

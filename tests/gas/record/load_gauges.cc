@@ -334,6 +334,28 @@ TEST(GaugeTables, TakeTheMeanOverTheTrunk)
 }
 
 
+// Of a person who turns a side to the charge.
+TEST(GaugeTables, HaveTheLoadOfTheLungsOnAllSides)
+{
+  std::vector<double> times;
+  for (unsigned int i = 0; i <= 1000; ++i)
+    times.push_back(5e-6 * i);
+  std::istringstream table(
+    gauge_injury_table({scaled_wave("chest", 0.5, times),
+                        scaled_wave("left upper arm", 1., times),
+                        scaled_wave("left thigh", 1., times)},
+                       times,
+                       70.));
+  std::map<std::string, double> found;
+  for (const auto &row : rows_of(table))
+    if (row[0] == "lung_exposure")
+      found[row[1]] = std::stod(row[2]);
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_NEAR(found.at("left upper arm"), 200. / 941., 1e-3);
+  EXPECT_NEAR(found.at("chest"), 100. / 941., 1e-3);
+}
+
+
 // A blast test device whose gauges see 2, 1, 1 and 0.5 times the same wave;
 // half of it has one side for both.
 TEST(GaugeTables, TakeTheMeanOfABlastTestDevice)

@@ -50,6 +50,10 @@ public:
     return body_mass_;
   }
 
+  /// Mass by which injuries of the lungs are judged: of the body, or of an
+  /// adult where it has no lungs [kg].
+  double person_mass() const;
+
   /// Who is in the scene and how the person is turned to the charge.
   const Person &person() const
   {
