@@ -236,6 +236,8 @@ TEST(SceneFiles, PutTheProbeAsFarFromTheChargeAsTheBodyIsAndBesideIt)
 {
   for (const Point<3> &charge : {Point<3>(2.487, 0., 1.27),
                                  Point<3>(0.68, 0., 1.2),
+                                 Point<3>(0.6697, 0., 1.2),
+                                 Point<3>(0.7131, 0., 1.2),
                                  Point<3>(-1., 0.2, 1.2),
                                  Point<3>(0., -1., 1.2),
                                  Point<3>(0., 0.8, 1.2),

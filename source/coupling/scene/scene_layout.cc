@@ -245,7 +245,9 @@ void SceneLayout::place_probe()
                           ? body.lower_bound(1) - gap
                           : body.upper_bound(1) + gap;
   const double aside = std::clamp(beside - charge[1], -distance, distance);
-  const double along = std::sqrt(distance * distance - aside * aside);
+  // Not below zero by round-off.
+  const double along =
+    std::sqrt(std::max(0., distance * distance - aside * aside));
   const double toward = body.center()[0] < charge[0] ? -1. : 1.;
   probe = charge + Point<3>(toward * along, aside, 0.);
 }
