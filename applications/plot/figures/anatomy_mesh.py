@@ -15,6 +15,8 @@ from plot.figures import style
 TISSUE_COLOURS = ["#ffffff", "#e8b9a0", "#c98d70", "#f2ecd9", "#d98cb3",
                   "#a6458a", "#8ecae6", "#7fb7a4", "#b5362f", "#7d3c2a",
                   "#5aa9e6", "#f4d58d", "#9aa5b1"]
+# Of the user's new tissues, which have the numbers from there on.
+NEW_COLOURS = ["#3d8b37", "#c44e9c", "#e07b00", "#46537a", "#a3b830"]
 # Name of a view, axes to the right and up with signs, and the axis of depth
 # with the sign that points to the eye.
 VIEWS = [("front", (1, 1), (2, 1), (0, 1)),
@@ -92,7 +94,7 @@ def draw_cut(axis, mesh, normal, place):
     polygons = ((1. - part) * begin + part * end)[:, :, others]
     tissues = mesh["tissue"][cut]
     axis.add_collection(PolyCollection(
-        polygons, facecolors=np.array(TISSUE_COLOURS)[tissues],
+        polygons, facecolors=[colour_of(number) for number in tissues],
         edgecolors="#00000030", linewidths=0.1))
     axis.set_aspect("equal")
     axis.autoscale_view()
@@ -101,6 +103,13 @@ def draw_cut(axis, mesh, normal, place):
     axis.set_ylabel(f"{'xyz'[others[1]]} [m]")
     axis.set_title(f"{'xyz'[normal]} = {place:.3f} m")
     return set(tissues)
+
+
+def colour_of(tissue):
+    """Of a tissue by its number."""
+    beyond = int(tissue) - len(TISSUE_COLOURS)
+    return TISSUE_COLOURS[tissue] if beyond < 0 \
+        else NEW_COLOURS[beyond % len(NEW_COLOURS)]
 
 
 def draw_cuts(mesh, names, path):
@@ -124,7 +133,7 @@ def draw_cuts(mesh, names, path):
     seen = set()
     for axis, (normal, place) in zip(axes, cuts):
         seen |= draw_cut(axis, mesh, normal, place)
-    figure.legend(handles=[Patch(facecolor=TISSUE_COLOURS[number],
+    figure.legend(handles=[Patch(facecolor=colour_of(number),
                                  edgecolor=style.GREY, label=names[number])
                            for number in sorted(seen)],
                   loc="upper center", bbox_to_anchor=(0.5, 0.), ncols=5)

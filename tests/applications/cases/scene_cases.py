@@ -111,6 +111,10 @@ def require_own_tissues(case, output):
                                    entry.split("/")[1].partition(" ")[2])
             require(abs(density - value) < 1e-9 * value,
                     f"{entry} is {density} in the mesh")
+    if wanted and "Anatomy/Output/Pictures=false" not in case.options.set:
+        require(os.path.exists(os.path.join(output, "anatomy", "pictures",
+                                            "cuts.png")),
+                "the cuts of the body are not drawn")
 
 
 def require_own_thresholds(case, output):
