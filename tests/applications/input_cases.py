@@ -253,6 +253,8 @@ def refused_scenes():
              '"nose" at 1, 0, 1.6 m is'),
             ("Biomechanics/Probes/Points", "1, 0, 1.6",
              "Biomechanics/Probes/Points: 1, 0, 1.6 m is"),
+            ("Charge/Afterburn energy", "5e7",
+             "the products of c-4 release at most 5.979e+06 J/kg"),
             ("Charge/Custom explosive/Density", "1650",
              "set Charge/Explosive = custom"),
             ("Tissues/Tissue brian/Density", "100",

@@ -60,7 +60,7 @@ TEST(FirstAnswer, HasTheWaveOfTheTablesAndWhatItDoes)
             99.);
   // 3.3 ms or less of 200 kPa and 110 kPa of dynamic pressure.
   const double exposure =
-    number_after(lines, "in the open loads the lung with");
+    number_after(lines, "in the open has the lung loaded with");
   EXPECT_GT(exposure, 0.15);
   EXPECT_LT(exposure, 0.3);
   EXPECT_EQ(number_after(lines, "by lung injury: less than"), 0.1);

@@ -28,7 +28,7 @@ SceneParameters scene_with(const double distance, const double height)
   SceneParameters scene;
   scene.accuracy = SceneParameters::accuracies.back();
   scene.element_size = scene.accuracy.element_size;
-  scene.end_time = 0.05;
+  scene.end_time = 0.1;
   scene.symmetry = "auto";
   scene.explosive = find_explosive("c-4");
   scene.mass = 2.268;
@@ -80,6 +80,45 @@ ShapeBody standing_body()
   return {surface, {{{"all", Tissue::soft_tissue}, surface}}};
 }
 } // namespace
+
+// The report reads the probes of the scene by their numbers.
+TEST(SceneFiles, ProbesOfTheUserFollowThoseOfTheScene)
+{
+  const auto points = [](const std::string &section, const std::string &place) {
+    Assignment assignment;
+    assignment.sections = {"Probes"};
+    if (!section.empty())
+      assignment.sections.insert(assignment.sections.begin(), section);
+    assignment.entry = "Points";
+    assignment.value = place;
+    return assignment;
+  };
+  const TaskText text =
+    task_text("Blast",
+              {points("", "1, 2, 3")},
+              dealii::ParameterHandler(),
+              {points("Blast", "4, 5, 6"), points("Biomechanics", "7, 8, 9")},
+              [](dealii::ParameterHandler &prm) {
+                prm.enter_subsection("Probes");
+                prm.declare_entry("Points", "");
+                prm.leave_subsection();
+              });
+  EXPECT_EQ(text.values.at("Probes/Points"), "1, 2, 3; 4, 5, 6");
+}
+
+
+TEST(SceneFiles, LimitsOfLeavesThatBeginAfterTheEndAreLeftOut)
+{
+  SceneParameters scene = scene_with(10., 1.);
+  scene.end_time = 0.05;
+  const auto values =
+    values_of(blast_entries(scene, SceneLayout(scene, standing_box()), 78.5));
+  for (const char *limit : {"later", "at last", "gone"})
+    EXPECT_EQ(
+      values.count(std::string("Adaptation/Limit ") + limit + "/Largest level"),
+      0u);
+}
+
 
 // A charge near the body or high above the ground has its first front pass
 // long before the ground's.
@@ -135,7 +174,7 @@ TEST(SceneFiles, HandOnMassesPlacesAndTimesOfTheScene)
   EXPECT_NEAR(layout.earliest_arrival, layout.arrival, 0.15 * layout.arrival);
   EXPECT_EQ(center.substr(center.find(',')), ", 0, 1.27");
   EXPECT_EQ(std::stod(blast.at("Loads/Body mass")), 78.5);
-  EXPECT_EQ(std::stod(blast.at("Time/End time")), 0.05);
+  EXPECT_EQ(std::stod(blast.at("Time/End time")), scene.end_time);
   EXPECT_EQ(blast.at("Boundaries/z low"), "wall");
   const std::string tables = "Reference/Kingery Bulmash/";
   EXPECT_EQ(std::stod(blast.at(tables + "Mass")), 2.268);
@@ -146,7 +185,7 @@ TEST(SceneFiles, HandOnMassesPlacesAndTimesOfTheScene)
   EXPECT_EQ(body.at("Materials/Set"), "physiological");
   EXPECT_EQ(std::stod(body.at("Mesh/Element size")), scene.element_size);
   EXPECT_EQ(std::stod(body.at("Injury/Body mass")), 78.5);
-  EXPECT_EQ(std::stod(body.at("Time/End time")), 0.05);
+  EXPECT_EQ(std::stod(body.at("Time/End time")), scene.end_time);
 }
 
 

@@ -41,6 +41,7 @@ def air(scene):
 def people(scene):
     """What the blast would do to people in planes of gauges; nothing where no
     such plane was asked for."""
+    mass = files.as_number(scene.blast.parameters.get("Loads/Body mass"))
     parts = []
     for maps in filter(injury_maps.are_in, scene.gauge_planes()):
         words = []
@@ -59,8 +60,9 @@ def people(scene):
             "Maps of the probability that an eardrum ruptures, the probability "
             "of death by lung injury, the chest wall velocity and the peak "
             "overpressure.",
-            "What the blast would do to people who stand in a plane of gauges, "
-            "as if nobody were there: " + "; ".join(words) + " of it. Grey: the "
+            "What the blast would do to people "
+            + (f"of {page.number(mass)} kg " if mass else "")
+            + "who stand in a plane of gauges, as if nobody were there: " + "; ".join(words) + " of it. Grey: the "
             "blast has not arrived, the figure is not known, as within the "
             "charge, or, of lungs, the blast is not over or not simple; among "
             "the products of the explosive no curve was measured. Lungs"

@@ -34,11 +34,13 @@ namespace
 
   std::string effect_line(const std::string &peak,
                           const std::string &place,
+                          const std::string &mass,
                           const TableAnswer::Effect &effect)
   {
     return "  under the " + peak + " peak: eardrum rupture " +
-           percent(effect.eardrum_rupture) + "; " + place +
-           " loads the lung with " + brief(effect.lung_exposure, 2) +
+           percent(effect.eardrum_rupture) + "; a person of " + mass +
+           " kg who stands " + place + " has the lung loaded with " +
+           brief(effect.lung_exposure, 2) +
            " of what kills half, death by lung injury: " +
            percent(effect.lung_lethality);
   }
@@ -121,10 +123,12 @@ std::vector<std::string> first_answer(const SceneParameters &scene,
       brief(1e3 * answer->duration, 3) + " ms",
     "  reflected by a wall there: peak " +
       kilopascal(answer->before_a_wall.overpressure),
-    effect_line("incident", "standing in the open", answer->in_the_open),
-    effect_line("reflected", "standing before a wall", answer->before_a_wall),
+    effect_line(
+      "incident", "in the open", brief(body_mass, 3), answer->in_the_open),
+    effect_line(
+      "reflected", "before a wall", brief(body_mass, 3), answer->before_a_wall),
     "  left out: reflection by the ground" +
       (walls.empty() ? "" : " and by " + walls) +
-      ", afterburn, shape and tissues of the body; a run has them"};
+      ", shape and tissues of the body; a run has them"};
 }
 } // namespace contrecoup::coupling

@@ -270,10 +270,15 @@ namespace
               {middle},
               0.5 * layout.distance + spacing,
               entries);
+    if (later >= scene.end_time)
+      return;
     entries.set("Adaptation/Limit later/From time", later);
     entries.set("Adaptation/Limit later/Largest level", below(1), accuracy);
-    entries.set("Adaptation/Limit at last/From time", at_last);
-    entries.set("Adaptation/Limit at last/Largest level", below(2), accuracy);
+    if (at_last < scene.end_time)
+    {
+      entries.set("Adaptation/Limit at last/From time", at_last);
+      entries.set("Adaptation/Limit at last/Largest level", below(2), accuracy);
+    }
     // Fronts that have passed the body, the ground reflection included, do not
     // return.
     set_limit("gone",

@@ -66,6 +66,11 @@ task_text(const std::string &name,
     if (!assignment.sections.empty() && assignment.sections[0] == name)
     {
       assignment.sections.erase(assignment.sections.begin());
+      // The report reads the scene's probes: those of the user follow them.
+      if (path_of(assignment) == "Probes/Points")
+        for (const Assignment &own : entries)
+          if (path_of(own) == path_of(assignment))
+            assignment.value = own.value + "; " + assignment.value;
       all.push_back(assignment);
     }
   // Sections that the scene describes by a section of its own.

@@ -114,8 +114,10 @@ void SceneLayout::place_charge(const SceneParameters &scene,
       double high = outside;
       if (surface.value({low, 0., scene.height}) > scene.distance)
         throw InputError("Charge/Distance = " + brief(scene.distance) +
-                         " m: at the height of " + brief(scene.height) +
-                         " m the body is farther away; Charge/Place sets the "
+                         " m: from the height of " + brief(scene.height) +
+                         " m on, the body is at least " +
+                         brief(surface.value({low, 0., scene.height})) +
+                         " m away; Charge/Place sets the "
                          "position directly");
       for (unsigned int i = 0; i < 60; ++i)
       {
@@ -146,11 +148,14 @@ void SceneLayout::choose_levels(const SceneParameters &scene)
   positive_phase = scene.incident_wave().nearest_duration(distance);
   levels = scene.accuracy.levels;
   const unsigned int most = levels + max_extra_levels;
+  const double thickness =
+    std::min({body.side_length(0), body.side_length(1), body.side_length(2)});
   const auto is_coarse = [&]() {
     return scene.cell_size > 0.
              ? cell_size() > scene.cell_size * (1. + 1e-9)
              : levels < most &&
-                 cells_per_phase() < scene.accuracy.cells_per_phase;
+                 (cells_per_phase() < scene.accuracy.cells_per_phase ||
+                  thickness < least_cells_across * cell_size());
   };
   if (scene.cell_size > 0.)
     levels = 0;

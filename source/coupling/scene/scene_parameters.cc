@@ -64,8 +64,8 @@ namespace
                    0.16,
                    "m",
                    "Largest edge of the gas's cells at the skin, which is 160 "
-                   "mm over a power of two; 0: by accuracy and positive "
-                   "phase.");
+                   "mm over a power of two; 0: by accuracy, positive "
+                   "phase and the body's shortest side.");
     declare_double(prm,
                    "Element size",
                    "0",
@@ -366,6 +366,11 @@ void SceneParameters::parse_charge(ParameterHandler &prm)
   parse_explosive(prm);
   mass = read_double(prm, "Mass");
   const std::optional<double> energy = read_afterburn(prm);
+  if (energy && *energy > explosive.afterburn.largest)
+    throw InputError("Charge/Afterburn energy = " + brief(*energy) +
+                     " J/kg: the products of " + explosive.name +
+                     " release at most " + brief(explosive.afterburn.largest) +
+                     " J/kg when all of them burn in air");
   has_usual_afterburn = !energy;
   afterburn = energy.value_or(explosive.afterburn.energy);
   distance = read_double(prm, "Distance");

@@ -173,7 +173,9 @@ namespace
             "number of cells in the positive phase at the body",
             "-",
             layout.cells_per_phase(),
-            least_cells,
+            scene.cell_size > 0.
+              ? least_cells
+              : std::min(least_cells, scene.accuracy.cells_per_phase),
             true,
             is_finest || scene.cell_size > 0. ? "Scene/Cell size"
                                               : "Scene/Accuracy"};

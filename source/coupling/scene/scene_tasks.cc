@@ -196,19 +196,12 @@ namespace
 
     TaskText blast_text(const EntryChanges &changes) const
     {
-      const auto entries = blast_entries(
-        scene_.parameters(), scene_.layout(), scene_.person_mass());
-      // The user's probes come after that beside the body, which verdicts need.
-      const auto with_own_probe = [&](const ParameterHandler &prm) {
-        auto list = changes ? changes(prm) : std::vector<Assignment>();
-        const std::string points = prm.get({"Probes"}, "Points");
-        for (const Assignment &own : entries)
-          if (own.entry == "Points" && !points.empty() && points != own.value)
-            list.push_back(
-              parse_override("Probes/Points=" + own.value + "; " + points));
-        return list;
-      };
-      return text_of("Blast", blast_application(), entries, with_own_probe);
+      return text_of("Blast",
+                     blast_application(),
+                     blast_entries(scene_.parameters(),
+                                   scene_.layout(),
+                                   scene_.person_mass()),
+                     changes);
     }
 
     TaskText biomechanics_text(const EntryChanges &changes) const
@@ -219,7 +212,7 @@ namespace
                                           scene_.layout(),
                                           scene_.body(),
                                           scene_.tissue_places(),
-                                          scene_.body_mass()),
+                                          scene_.person_mass()),
                      changes);
     }
 

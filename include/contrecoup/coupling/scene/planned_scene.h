@@ -44,12 +44,6 @@ public:
   /// Whether a part of the body is of this tissue.
   bool has(Tissue tissue) const;
 
-  /// Mass of the body [kg].
-  double body_mass() const
-  {
-    return body_mass_;
-  }
-
   /// Mass by which injuries of the lungs are judged: of the body, or of an
   /// adult where it has no lungs [kg].
   double person_mass() const;
