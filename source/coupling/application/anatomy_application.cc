@@ -5,6 +5,7 @@
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/log.h>
 #include <contrecoup/base/system/memory.h>
+#include <contrecoup/base/system/remark_line.h>
 #include <contrecoup/base/system/signals.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/base/system/version.h>
@@ -67,7 +68,7 @@ namespace coupling
         for (const std::string &line : io::cost_lines({{"anatomy", cost}}))
           show_line(line);
         for (const std::string &remark : body_->remarks())
-          show_line("  " + remark);
+          show_line(remark_line(remark));
         show_line("The parameters are valid.");
         return cost;
       }
@@ -85,9 +86,9 @@ namespace coupling
                   " hexahedra and " + std::to_string(mesh_.nodes.size()) +
                   " nodes in " + duration(meshed_));
         for (const std::string &remark : body_->remarks())
-          log_line("  " + remark);
+          log_line(remark_line(remark));
         for (const std::string &line : strays_)
-          log_line("  " + line);
+          log_line(remark_line(line));
         if (!mesh_.hanging_nodes.empty())
           log_line("  " + std::to_string(mesh_.hanging_nodes.size()) +
                    " nodes hang between larger elements");

@@ -4,6 +4,7 @@
 #include <contrecoup/base/parameters/parameters.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/log.h>
+#include <contrecoup/base/system/remark_line.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/base/system/version.h>
 #include <contrecoup/coupling/application/anatomy_parameters.h>
@@ -167,7 +168,7 @@ void PlannedScene::print(const bool with_plan) const
               ", in the library " + change.before);
   std::vector<std::string> details;
   for (const std::string &remark : body_->remarks())
-    details.push_back("  " + remark);
+    details.push_back(remark_line(remark));
   for (const std::string &line : io::plan_lines(plan_))
     details.push_back(line);
   for (const std::string &line : details)

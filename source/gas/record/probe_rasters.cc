@@ -259,9 +259,10 @@ void ProbeRasters<dim>::finish()
   reduce_over_ranks();
   if (!has_injuries())
     return;
-  std::size_t n_reached = 0, n_going_on = 0;
+  std::size_t n_in_gas = 0, n_reached = 0, n_going_on = 0;
   for (std::size_t i = 0; i < probes_.size(); ++i)
   {
+    n_in_gas += is_in_body_[i] ? 0 : 1;
     if (is_in_body_[i] || !(probes_.records()[i].peak > 0.))
       continue;
     ++n_reached;
@@ -271,9 +272,8 @@ void ProbeRasters<dim>::finish()
   }
   if (n_going_on > 0)
     log_line("WARNING: Probes/Lines and Gauge planes: the blast has reached " +
-             std::to_string(n_reached) + " of " +
-             std::to_string(probes_.size()) + " probes, and at " +
-             std::to_string(n_going_on) +
+             std::to_string(n_reached) + " of " + std::to_string(n_in_gas) +
+             " probes in the gas, and at " + std::to_string(n_going_on) +
              " of these it presses on at the end: impulse and duration there "
              "are those so far, injuries of lungs unknown; a later Time/End "
              "time gives them");

@@ -9,6 +9,7 @@
 #include <contrecoup/geometry/mesh/hex_quality.h>
 #include <contrecoup/geometry/mesh/mesh_file.h>
 #include <contrecoup/geometry/mesh/mesh_format.h>
+#include <contrecoup/geometry/mesh/mesh_smoothing.h>
 #include <contrecoup/geometry/mesh/stray_cells.h>
 #include <contrecoup/geometry/mesh/triangulation_hexes.h>
 #include <contrecoup/geometry/shape/triangulated_surface.h>
@@ -234,6 +235,9 @@ BodyPointer MeshBodyDescription::create(const double scale) const
     scaled.push_back(scale * node);
   }
   unit_.require_size(where + ": ", dealii::BoundingBox<3>(scaled));
+  double worst = 1.;
+  for (const HexQuality &part : measure_quality(mesh))
+    worst = std::min(worst, part.smallest_scaled_jacobian);
   const auto body = std::make_shared<MeshBody>(std::move(mesh));
   std::vector<std::string> parts;
   for (const BodyPart &part : body->parts())
@@ -243,7 +247,13 @@ BodyPointer MeshBodyDescription::create(const double scale) const
   std::vector<std::string> remarks = stray_warnings(*body->own_mesh());
   remarks.insert(remarks.begin(),
                  "mesh of " + std::to_string(body->own_mesh()->cells.size()) +
-                   " hexahedra of one's own: " + join(parts, ", "));
+                   " hexahedra of your own: " + join(parts, ", "));
+  if (worst < SmoothingOptions().smallest_scaled_jacobian)
+    remarks.push_back("WARNING: " + where +
+                      ": its worst hexahedron has a scaled Jacobian of " +
+                      brief(worst, 2) + ", below " +
+                      brief(SmoothingOptions().smallest_scaled_jacobian) +
+                      ": stresses there are wrong and steps short");
   body->set_remarks(remarks);
   return body;
 }

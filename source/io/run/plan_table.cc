@@ -145,7 +145,7 @@ namespace io
                       item.entry});
     std::vector<std::string> lines = aligned(rows);
     for (const Assumption &item : plan)
-      if (item.fails())
+      if (item.fails() && std::isfinite(item.value))
         lines.push_back(warning(item, "estimated at"));
     return lines;
   }
