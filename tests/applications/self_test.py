@@ -379,7 +379,7 @@ class SceneTest(SelfTest):
                      flaw="forgetful")
         self.rejects("other tissues changed nothing", *options, flaw="deaf")
         self.rejects("report", *options, flaw="silent")
-        self.rejects("body masses are", *options, flaw="heavy")
+        self.rejects("blast has a body of 50", *options, flaw="heavy")
         self.rejects("height and mass of the charge", *options, flaw="low")
         self.rejects("false gave 1", *options, flaw="unrepeatable")
         self.rejects("what was taken for granted", *options, flaw="foreign")

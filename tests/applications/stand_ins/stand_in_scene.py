@@ -107,6 +107,8 @@ def compute(stage):
             write(json.dumps({"state": {"step": step, "updates": step}}),
                   stage, "checkpoint", folder, "run.json")
             write("", stage, "checkpoint", folder, "complete.json")
+    if stage == "anatomy":
+        write("kind,name\ntissue,lung\n", stage, "quality.csv")
     if stage == "blast":
         write_loads()
         write("step\n1\n", stage, "load_gauges.csv")
