@@ -184,8 +184,7 @@ def _checks(scene):
             f"{page.number(factor)} so that the impulses agree"
             if factor != 1. else "; pressures are as recorded" + (
                 ", since the impulses differ by too much for one factor on all "
-                "of them" if max(mapped / recorded, recorded / mapped)
-                >= load_impulses.LARGEST_CORRECTION
+                "of them" if abs(change) >= load_impulses.LARGEST_CORRECTION
                 else ""))
         items.append(
             f"Impulse: {page.quantity(recorded, 'N s')} recorded on the whole "

@@ -5,7 +5,7 @@
 import math
 import operator
 
-LARGEST_CORRECTION = 1.5  # ratio of Loads/Recorded/Keep impulse
+LARGEST_CORRECTION = 0.1  # of Loads/Recorded/Keep impulse
 
 
 def along(scene):

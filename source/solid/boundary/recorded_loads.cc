@@ -30,12 +30,10 @@ namespace
   /// similar normal.
   constexpr unsigned int n_candidates = 12;
 
-  /// Largest ratio of impulses that the pressure factor corrects; a larger one
-  /// means different surfaces.
-  constexpr double largest_correction = 1.5;
-
-  /// Above this ratio the surfaces differ so much that peaks suffer.
-  constexpr double large_correction = 1.25;
+  /// Largest relative difference of impulses that the pressure factor
+  /// corrects; a larger one means different surfaces, and the factor would
+  /// change peaks that are right.
+  constexpr double largest_correction = 0.1;
 
   /// Least fraction of the recorded impulse, summed as magnitudes, that must
   /// arrive on this surface.
@@ -103,8 +101,7 @@ void RecordedLoads::declare_parameters(ParameterHandler &prm)
                "true",
                "Whether one factor on all pressures makes the impulse, "
                "along the direction of the recorded impulse, equal to the "
-               "recorded one; applies only where one is less than 1.5 times "
-               "the other.");
+               "recorded one; applies only if they differ by less than 10 %.");
 }
 
 
@@ -281,21 +278,18 @@ void RecordedLoads::measure_impulses()
   sum_impulses(impulse);
   const double ratio = mapped_impulse_ * recorded_impulse_ /
                        std::max(recorded_impulse_.norm_square(), 1e-300);
-  const auto is_within = [&](const double limit) {
-    return ratio < limit && ratio > 1. / limit;
-  };
-  factor_ = keep_impulse_ && is_within(largest_correction) ? 1. / ratio : 1.;
-  log_line((keep_impulse_ && !is_within(large_correction) ? "WARNING: " : "") +
+  const bool corrects = std::abs(ratio - 1.) < largest_correction;
+  factor_ = keep_impulse_ && corrects ? 1. / ratio : 1.;
+  log_line((keep_impulse_ && !corrects ? "WARNING: " : "") +
            std::string("Loads/Recorded: on this body they have ") +
            brief(ratio) +
            " times the impulse on the recorded surface; pressures are " +
            (factor_ == 1. ? "as recorded"
                           : "multiplied by " + brief(factor_) +
                               ", which makes the impulses equal") +
-           (is_within(large_correction)
-              ? ""
-              : "; smaller cells of the blast at the skin bring the surfaces "
-                "together"));
+           (corrects ? ""
+                     : "; smaller cells of the blast at the skin bring the "
+                       "surfaces together"));
 }
 
 
