@@ -420,6 +420,15 @@ class ReportTest(unittest.TestCase):
                                charge_place=[1.46, 0., height])
             self.assertIn(words, reflections.note(scene))
 
+    def test_phase_that_the_end_cuts(self):
+        """Is said beside the tables, with what follows from it."""
+        times = {"probe_1_arrival": 1.5e-3, "probe_1_duration": 2.5e-3}
+        for end, is_cut in ((5e-3, False), (4e-3, True)):
+            scene = Scene(self.whole)
+            scene.facts["end_time"] = end
+            scene.blast.found = lambda _, name: times.get(name)
+            self.assertEqual("lower limits" in reflections.note(scene), is_cut)
+
     def test_load_in_the_air(self):
         """At a probe as far from the charge as the body, Bowen's definition
         gives the exposure and the probability of death."""

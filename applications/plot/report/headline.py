@@ -67,7 +67,7 @@ class Lead:
                                 "Bulmash, which do not cover this charge and "
                                 "distance")
         caption = ("Tables: Kingery and Bulmash for a bare charge in free air"
-                   f"{self.equivalence}, without ground, afterburn and body"
+                   f"{self.equivalence}, without ground and body"
                    f"{self.lungs}. ")
         if len(self.compared[0]) == 2:
             return page.table(

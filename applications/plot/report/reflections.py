@@ -12,6 +12,19 @@ def reflectors(scene):
 
 
 def note(scene):
+    """What reflections and the end of the run do to the wave at the first probe,
+    as sentences."""
+    arrival, duration = (scene.blast.found("results", "probe_1_" + name)
+                         for name in ("arrival", "duration"))
+    end = scene.fact("end_time")
+    is_cut = None not in (arrival, duration, end) and (
+        arrival + duration > (1. - 1e-3) * end)
+    return _reflections(scene) + (
+        " The run ends before the positive phase does: its impulse, duration "
+        "and load on the lung are lower limits." if is_cut else "")
+
+
+def _reflections(scene):
     """What reflections do to the wave at the first probe, as a sentence: a wave
     that meets the ground at more than 40 degrees, where regular reflection of
     strong shocks ends, may have merged with its reflection."""

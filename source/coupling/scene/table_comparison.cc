@@ -191,13 +191,17 @@ std::vector<ComparedQuantity> compare_with_tables(const SceneParameters &scene,
                     std::abs(run - tables) > allowed &&
                       !(run > tables ? may_exceed : may_be_less)});
   };
-  // A merged wave is that of a stronger charge: earlier, and perhaps shorter.
+  // A merged wave is that of a stronger charge: earlier, and perhaps shorter. A
+  // positive phase that the end of the run cuts is a lower limit.
   const bool merges = may_merge(layout);
+  const bool is_cut =
+    result_of(fine, "probe_1_arrival") + result_of(fine, "probe_1_duration") >
+    (1. - 1e-3) * scene.end_time;
   add("peak_overpressure", "Pa", answer->in_the_open.overpressure, merges);
-  add("impulse", "Pa s", answer->impulse, true);
-  add("duration", "s", answer->duration, true, merges);
+  add("impulse", "Pa s", answer->impulse, true, is_cut);
+  add("duration", "s", answer->duration, true, merges || is_cut);
   add("arrival", "s", answer->arrival, false, merges);
-  add("lung_exposure", "-", answer->in_the_open.lung_exposure, true);
+  add("lung_exposure", "-", answer->in_the_open.lung_exposure, true, is_cut);
   add("lung_lethality", "-", answer->in_the_open.lung_lethality, true);
   add("eardrum_rupture", "-", answer->in_the_open.eardrum_rupture, true);
   for (ComparedQuantity &one : list)
