@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace contrecoup::coupling
 {
@@ -183,6 +184,30 @@ double PlannedScene::person_mass() const
 }
 
 
+std::string PlannedScene::answer_at_trunk() const
+{
+  // As in the report.
+  constexpr double farther = 1.15;
+  SceneLayout there = *layout_;
+  there.distance = std::numeric_limits<double>::infinity();
+  for (const Landmark &landmark : body_->landmarks())
+    if (landmark.name == "chest" || landmark.name == "back")
+      there.distance =
+        std::min(there.distance, landmark.place.distance(layout_->charge));
+  if (!std::isfinite(there.distance) ||
+      there.distance <= farther * layout_->distance)
+    return "";
+  const std::string where = "  the trunk is " + brief(there.distance, 3) +
+                            " m from the charge: the incident wave there ";
+  const auto answer = table_answer(parameters_, there, person_mass());
+  return answer ? where + "loads the lung with " +
+                    brief(answer->in_the_open.lung_exposure, 2) +
+                    " of what kills half, death by lung injury: " +
+                    percent(answer->in_the_open.lung_lethality)
+                : where + "is not in the tables";
+}
+
+
 std::vector<std::string> PlannedScene::first_answer() const
 {
   std::vector<std::string> walls;
@@ -198,6 +223,9 @@ std::vector<std::string> PlannedScene::first_answer() const
   if (!has(Tissue::lung))
     lines.push_back("  the body has no lungs: those of an adult of " +
                     brief(person_mass()) + " kg are taken");
+  const std::string far_lungs = answer_at_trunk();
+  if (!far_lungs.empty())
+    lines.push_back(far_lungs);
   return lines;
 }
 } // namespace contrecoup::coupling

@@ -79,6 +79,9 @@ public:
   std::vector<std::string> first_answer() const;
 
 private:
+  /// What the tables tell of lungs that are much farther from the charge than
+  /// the nearest skin, as with a charge at the feet; empty where they are not.
+  std::string answer_at_trunk() const;
   /// The elements of the body and their size.
   std::string elements_in_words() const;
 
