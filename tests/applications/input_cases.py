@@ -467,8 +467,9 @@ def judge_dump(program):
         end = run(program, [DUMP])
         said = "\n".join(line for line in (end.stdout + end.stderr).splitlines()
                          if "sets no entry" not in line)
-        # Times are measured.
-        return end.returncode, re.sub(r"[0-9.e+-]+ (s|ms|min)\b *", "", said)
+        # Times and memory are measured.
+        return end.returncode, re.sub(
+            r"[0-9.e+-]+ (s|ms|min|KiB|MiB|GiB)\b *", "", said)
 
     printed = subprocess.run([program, "--print-parameters"], check=True,
                              capture_output=True, timeout=300).stdout
