@@ -40,8 +40,9 @@ contrecoup_add_application_test(main_job_image main_job
   NEEDS /usr/share/mricron/templates/ch2.nii.gz
   SET ${_first_look} ${_few_fields} "Scene/Element size=0.0062"
     "Blast/Output/Volume fields=true"
-  BOUNDS "results.injury_intracranial_pressure_peak > 654.7e3"
-    "results.injury_intracranial_pressure_peak < 695.2e3"
-    "results.injury_intracranial_pressure_lowest < 247.1e3"
-    "results.injury_strain_95 > 0.01347" "results.injury_strain_95 < 0.01430"
-    "results.injury_hic15 > 133.4" "results.injury_hic15 < 141.6")
+  BOUNDS "results.injury_intracranial_pressure_peak > 729.9e3"
+    "results.injury_intracranial_pressure_peak < 775.1e3"
+    "results.injury_intracranial_pressure_lowest > -244.8e3"
+    "results.injury_intracranial_pressure_lowest < -230.4e3"
+    "results.injury_strain_95 > 0.01101" "results.injury_strain_95 < 0.01169"
+    "results.injury_hic15 > 88.4" "results.injury_hic15 < 94.0")
