@@ -93,17 +93,21 @@ TEST(SceneFiles, ProbesOfTheUserFollowThoseOfTheScene)
     assignment.value = place;
     return assignment;
   };
-  const TaskText text =
-    task_text("Blast",
-              {points("", "1, 2, 3")},
-              dealii::ParameterHandler(),
-              {points("Blast", "4, 5, 6"), points("Biomechanics", "7, 8, 9")},
-              [](dealii::ParameterHandler &prm) {
-                prm.enter_subsection("Probes");
-                prm.declare_entry("Points", "");
-                prm.leave_subsection();
-              });
-  EXPECT_EQ(text.values.at("Probes/Points"), "1, 2, 3; 4, 5, 6");
+  const auto taken = [&](const std::string &own) {
+    return task_text(
+             "Blast",
+             {points("", own)},
+             dealii::ParameterHandler(),
+             {points("Blast", "4, 5, 6"), points("Biomechanics", "7, 8, 9")},
+             [](dealii::ParameterHandler &prm) {
+               prm.enter_subsection("Probes");
+               prm.declare_entry("Points", "");
+               prm.leave_subsection();
+             })
+      .values.at("Probes/Points");
+  };
+  EXPECT_EQ(taken("1, 2, 3"), "1, 2, 3; 4, 5, 6");
+  EXPECT_EQ(taken(""), "4, 5, 6");
 }
 
 

@@ -69,7 +69,7 @@ task_text(const std::string &name,
       // The report reads the scene's probes: those of the user follow them.
       if (path_of(assignment) == "Probes/Points")
         for (const Assignment &own : entries)
-          if (path_of(own) == path_of(assignment))
+          if (path_of(own) == path_of(assignment) && !own.value.empty())
             assignment.value = own.value + "; " + assignment.value;
       all.push_back(assignment);
     }

@@ -281,9 +281,8 @@ void RecordedLoads::measure_impulses()
   const bool corrects = std::abs(ratio - 1.) < largest_correction;
   factor_ = keep_impulse_ && corrects ? 1. / ratio : 1.;
   log_line((keep_impulse_ && !corrects ? "WARNING: " : "") +
-           std::string("Loads/Recorded: on this body they have ") +
-           brief(ratio) +
-           " times the impulse on the recorded surface; pressures are " +
+           std::string("Loads/Recorded: the loads on this body have ") +
+           brief(ratio) + " times the recorded impulse; pressures are " +
            (factor_ == 1. ? "as recorded"
                           : "multiplied by " + brief(factor_) +
                               ", which makes the impulses equal") +
