@@ -6,11 +6,11 @@
 selections.py FOLDER_OF_PROGRAMS
 
 The entries are those that --print-parameters "selects nothing" of each program
-prints. Each needs a case: settings with which it selects nothing, for which
---check prints one line of error that names the entry, with exit code 1, and
-writes nothing. A scene has the entries of its stages. An entry whose name or
-meaning is that of a selection, but which is not printed, fails unless OTHERS
-tells why.
+prints, and the sections with a name of the user's ("Tissue *"). Each needs a
+case: settings with which it selects nothing, for which --check prints one line
+of error that names the entry, with exit code 1, and writes nothing. A scene has
+the entries of its stages. An entry whose name or meaning is that of a
+selection, but which is not printed, fails unless OTHERS tells why.
 """
 
 import concurrent.futures
@@ -50,14 +50,15 @@ def of(section, entries):
     return [f"{section}/{entry}" for entry in entries]
 
 
-# By entry, with the "*" of a section's name replaced by none: the file, the
-# settings, and what the message says in place of the entry.
+# By entry or section, the file, the settings, and what the message says in place
+# of the entry with the "*" of a section's name replaced by none.
 CASES = {
     "blast": {
         "Initial state/Region */Shape": (
             "blast/showcase/hot_ball.prm",
             of("Initial state/Region none", ["Center=99, 99, 99"]),
-            "Initial state/Region none"),
+            'Initial state/Region none = "sphere at 99, 99, 99" selects no gas: '
+            "the domain reaches from"),
         "Adaptation/Fine box lower corner": (
             GAS, ["Adaptation/Fine box levels=1",
                   "Adaptation/Fine box lower corner=50, 50",
@@ -69,10 +70,14 @@ CASES = {
             "Adaptation/Fine box lower corner and upper corner"),
         "Adaptation/Limit */Shape": (
             GAS_BODY, of("Adaptation/Limit none", BALL),
-            "Adaptation/Limit none"),
+            'Adaptation/Limit none = "ball" selects no leaf'),
         "Rigid body/Finer region */Shape": (
             GAS_BODY, of("Rigid body/Finer region none", BALL),
-            "Rigid body/Finer region none"),
+            'Rigid body/Finer region none = "ball" selects no place of the body'),
+        "Charges/Charge *": (
+            GAS, ["Charges/Charge none/Center=0, 90"],
+            "Charges/Charge none: the charge, from -0.05, 89.95 to 0.05, 90.05 "
+            "m, lies outside of the domain"),
         "Probes/Points": (GAS, ["Probes/Points=90, 90"]),
         "Probes/Lines": (GAS, ["Probes/Lines=90, 90 : 91, 91 : 3"]),
         "Probes/Gauge planes": (
@@ -89,16 +94,34 @@ CASES = {
     "anatomy": {
         "Body/Image/Labels": (BODY, IMAGE),
         "Body/Mesh/Tissues": (BODY, MESH),
+        "Tissues/Tissue *": (
+            BODY, ["Tissues/Tissue water/Density=1010"],
+            'Tissues/Tissue water = "water" selects no part of the body'),
     },
     "biomechanics": {
-        "Supports/Support */Where": (BOX, ["Supports/Support none/Where=x>99"]),
-        "Loads/Load */Where": (BOX, ["Loads/Load none/Where=x>99"]),
-        "Mesh/Region */Where": (BOX, ["Mesh/Region none/Where=x>99"]),
-        "Mesh/Refined where": (BOX, ["Mesh/Refined where=x>99"]),
+        "Supports/Support */Where": (
+            BOX, ["Supports/Support none/Where=x>99"],
+            'Supports/Support none/Where = "x>99" selects no node of the body: '
+            "the body lies from (0, 0, 0) to ("),
+        "Loads/Load */Where": (
+            BOX, ["Loads/Load none/Where=x>99"],
+            'Loads/Load none/Where = "x>99" selects no facet of the body\'s '
+            "surface: the body lies from (0, 0, 0) to ("),
+        "Mesh/Region */Where": (
+            BOX, ["Mesh/Region none/Where=x>99"],
+            'Mesh/Region none/Where = "x>99" selects no element'),
+        "Mesh/Refined where": (BOX, ["Mesh/Refined where=x>99"],
+                               'Mesh/Refined where = "x>99" selects no element'),
         "Mesh/Tissues": (BOX, ["Mesh/Kind=file", f"Mesh/File={ROOT}/{CUBES}",
                                "Mesh/Tissues=1: brain; 2: skeleton; 9: lung"]),
         "Materials/Cavitating tissues": (
-            BOX, ["Materials/Cavitating tissues=lung"]),
+            BOX, ["Materials/Cavitating tissues=skeleton, lung"],
+            'Materials/Cavitating tissues (lung) = "lung" selects no element: '
+            "the tissues of the mesh are skeleton"),
+        "Materials/Tissue *": (
+            BOX, ["Materials/Tissue lung/Density=1010"],
+            'Materials/Tissue lung = "Density = 1010 kg/m^3 instead of 100" '
+            "selects no element: the tissues of the mesh are skeleton"),
         "Interface/Tissues": (
             SOLID_BODY, ["Mesh/Element size=0.01", "Interface/Contact=slip",
                          "Interface/Tissues=lung", "Interface/Against=brain"],
@@ -107,10 +130,20 @@ CASES = {
             SOLID_BODY, ["Mesh/Element size=0.01", "Interface/Contact=slip",
                          "Interface/Tissues=brain", "Interface/Against=lung"],
             "Interface: the tissues of Tissues and Against"),
-        "Probes/Points": (BOX, ["Probes/Points=90, 90, 90"]),
+        "Probes/Points": (
+            BOX, ["Probes/Points=0.05, 0, 0; 90, 90, 90"],
+            "probe 2 at (90, 90, 90) m is outside of the body"),
+        "Measures/Measure *": (
+            BOX, ["Measures/Measure none/Probe=77"],
+            "Measures/Measure none/Probe = 77, but Probes/Points has 1"),
+        "Injury/Measure *": (
+            BOX, ["Injury/Measure none/Thresholds=1: harm"],
+            "Injury/Measure none: there is no such measure"),
         "Injury/Chest": ("biomechanics/quickstart.prm",
                          ["Mesh/Element size=0.02", "Injury/Chest=9, 9, 9"]),
-        "Injury/Active": (BOX, ["Injury/Active=true"]),
+        "Injury/Active": (
+            BOX, ["Injury/Active=true"],
+            "Injury/Active = true: injuries of brain and lung are reported"),
         "Body/Image/Labels": (SOLID_BODY, ["Mesh/Kind=body"] + IMAGE),
         "Body/Mesh/Tissues": (SOLID_BODY, ["Mesh/Kind=body"] + MESH),
     },
@@ -120,11 +153,16 @@ CASES = {
         "Region */Interface": (
             GAS_BOX, ["Rezone/Kind=elastic", "Region gas/Interface=slip"],
             'Region gas/Interface = "slip" selects no'),
+        "Side *": (HEAD, ["Side none/Kind=wall"],
+                   "Side none: a mesh of kind layered head has no such side"),
         "Plane */Point": (GAS_BOX, ["Plane none/Point=0, 0, 0"]),
         "Plane */Normal": (HEAD, ["Plane wall/Normal=0, 0, -1"], "Plane wall"),
         "Probes/Points": (HEAD, ["Probes/Points=90, 90, 90"]),
         "Injury/Brain": (HEAD, ["Injury/Brain=liver"]),
         "Injury/Skull": (HEAD, ["Injury/Skull=liver"]),
+        "Injury/Measure *": (
+            HEAD, ["Injury/Measure none/Thresholds=1: harm"],
+            "Injury/Measure none: there is no such measure"),
         "MPM/Fine regions": (DISKS, ["MPM/Fine regions=liver"]),
         "Reference/Extent */Region": (
             "head_impact/verification/taylor_bar.prm",
@@ -145,6 +183,16 @@ CASES = {
     "scene": {
         "Body/Image/Labels": (SCENE, IMAGE),
         "Body/Mesh/Tissues": (SCENE, MESH),
+        "Tissues/Tissue *": (
+            SCENE, ["Tissues/Tissue water/Density=1010"],
+            'Tissues/Tissue water = "water" selects no part of the body: the '
+            "tissues of the body are brain"),
+        "Injury/Measure *": (
+            SCENE, ["Injury/Measure none/Thresholds=1: harm"],
+            "Injury/Measure none: there is no such measure"),
+        "Anatomy/Tissues/Tissue *": (
+            SCENE, ["Anatomy/Tissues/Tissue lung/Density=1010"],
+            'Anatomy/Tissues/Tissue lung = "lung" selects no part of the body'),
         "Blast/Adaptation/Fine box lower corner": (
             SCENE, ["Blast/Adaptation/Fine box levels=1",
                     "Blast/Adaptation/Fine box lower corner=50, 50, 50",
@@ -179,8 +227,14 @@ CASES = {
                     "Biomechanics/Interface/Tissues=brain",
                     "Biomechanics/Interface/Against=lung"],
             "Biomechanics/Interface"),
+        "Biomechanics/Materials/Tissue *": (
+            SCENE, [ELEMENTS, "Biomechanics/Materials/Tissue lung/Density=1010"],
+            "Biomechanics/Materials/Tissue lung"),
         "Biomechanics/Probes/Points": (
             SCENE, [ELEMENTS, "Biomechanics/Probes/Points=90, 90, 90"]),
+        "Biomechanics/Measures/Measure *": (
+            SCENE, [ELEMENTS, "Biomechanics/Measures/Measure none/Probe=77"],
+            "Biomechanics/Measures/Measure none/Probe = 77"),
     },
 }
 # Entries that look like a selection and are none, or that a scene sets.
@@ -189,9 +243,7 @@ OTHERS = {
     "blast": {"Charges/Charge */Ignition points": "may be outside of the charge",
               "Body/Shape/Tissues": "gives each layer a tissue"},
     "anatomy": {"Body/Shape/Tissues": "gives each layer a tissue"},
-    "biomechanics": {
-        "Body/Shape/Tissues": "gives each layer a tissue",
-        "Measures/Measure */Probe": "a number out of Probes/Points"},
+    "biomechanics": {"Body/Shape/Tissues": "gives each layer a tissue"},
     "head_impact": {
         "Mesh/Symmetry planes": "planes of the head itself",
         "Body/Shape/Tissues": "gives each layer a tissue",
@@ -201,16 +253,20 @@ OTHERS = {
     "study": {"Vary */Labels": "names for the report"},
     "scene": {
         "Body/Shape/Tissues": "gives each layer a tissue",
-        "Blast/Initial state/Region */Shape": SET_BY_SCENES,
+        "Blast/Initial state/Region *": SET_BY_SCENES,
         "Blast/Adaptation/Fine box upper corner": "with the lower corner",
         "Blast/Boundaries/By id": SET_BY_SCENES,
         "Blast/Body/Image/Labels": "Body/Image/Labels of the scene",
         "Blast/Body/Mesh/Tissues": "Body/Mesh/Tissues of the scene",
         "Biomechanics/Body/Image/Labels": "Body/Image/Labels of the scene",
         "Biomechanics/Body/Mesh/Tissues": "Body/Mesh/Tissues of the scene",
-        "Biomechanics/Mesh/Region */Where": SET_BY_SCENES,
+        "Biomechanics/Mesh/Region *": SET_BY_SCENES,
         "Biomechanics/Mesh/Refined where": SET_BY_SCENES,
         "Biomechanics/Mesh/Tissues": SET_BY_SCENES,
+        "Blast/Charges/Charge *": "the scene makes the charge",
+        "Anatomy/Body/Image/Labels": "Body/Image/Labels of the scene",
+        "Anatomy/Body/Mesh/Tissues": "Body/Mesh/Tissues of the scene",
+        "Biomechanics/Injury/Measure *": "Injury/Measure * of the scene",
         "Biomechanics/Injury/Active": "the scene looks for brain and lung",
         "Biomechanics/Injury/Chest": "the scene looks for the chest"},
 }
@@ -236,31 +292,40 @@ def entries(program, *words):
     return found
 
 
+def named_sections(names):
+    """Of these entries, the sections with names of the user's."""
+    return {name.partition("*")[0] + "*" for name in names if "*" in name}
+
+
 def missing(application, marked, known):
-    """Entries that lack a case, and cases that no entry has."""
+    """Entries and sections that lack a case, and cases that none has."""
     handled = {**CASES[application], **OTHERS[application]}
     looks = {name for name, told in known.items()
              if LOOKS.search(name.split("/")[-1])
              or re.search("is true|a true value", told)}
+    # One case of an entry in it serves a section, and one of it its entries.
+    serve = set(handled) | named_sections(CASES[application])
     return [f"{application}: {name} has no case" for name in
-            sorted((set(marked) | looks) - set(handled))] + \
+            sorted((marked | looks) - serve)
+            if not named_sections([name]) & set(handled)] + \
         [f"{application}: no entry {name} selects" for name in
-         sorted(set(CASES[application]) - set(marked))]
+         sorted(set(CASES[application]) - marked)]
 
 
 def all_missing(folder):
     wrong, of_stages = [], set()
     for application in CASES:
         program = os.path.join(folder, application)
-        marked = entries(program, "selects nothing")
         known = entries(program)
         if application == "scene":
-            of_scene = {name: told for name, told in known.items()
-                        if name.split("/")[0] not in
-                        ("Anatomy", "Blast", "Biomechanics")}
-            marked = {name for name in marked if name in of_scene} | of_stages
-            known = of_scene
-        elif application in ("blast", "biomechanics"):
+            known = {name: told for name, told in known.items()
+                     if name.split("/")[0] not in
+                     ("Anatomy", "Blast", "Biomechanics")}
+        marked = set(entries(program, "selects nothing")) & set(known) | \
+            named_sections(known)
+        if application == "scene":
+            marked |= of_stages
+        elif application in ("anatomy", "blast", "biomechanics"):
             of_stages |= {f"{application.capitalize()}/{name}"
                           for name in marked}
         wrong += missing(application, marked, known)
