@@ -9,6 +9,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
+#include <tuple>
+#include <vector>
 
 using namespace contrecoup;
 using namespace contrecoup::coupling;
@@ -50,7 +53,7 @@ Person person_by(const Lines &lines,
 TEST(Person, IsNamedByTheSideThatFacesTheCharge)
 {
   for (const auto &[rotation, side, posture] :
-       std::vector<std::array<std::string, 3>>{
+       std::vector<std::tuple<std::string, std::string, std::string>>{
          {"0, 0, 0", "front", "standing"},
          {"0, 0, 40", "front", "standing"},
          {"0, 0, 90", "right side", "standing"},

@@ -358,6 +358,22 @@ TEST(SceneFiles, TakeTheLargestCellsUpToTheSizeOfTheUser)
 }
 
 
+// Cells that a body falls between do not see it.
+TEST(SceneFiles, CountTheCellsAlongTheBodysShortestSide)
+{
+  SceneParameters scene = scene_with(2.337, 1.27);
+  scene.cell_size = 0.02;
+  const Point<3> centre(0., 0., 0.5);
+  const auto layout_of = [&](const double half_side) {
+    return SceneLayout(
+      scene, RoundedBox(centre, Point<3>(half_side, 0.25, 0.4), 0.004));
+  };
+  EXPECT_DOUBLE_EQ(layout_of(0.07).cells_across(), 7.);
+  EXPECT_NO_THROW(layout_of(0.0101));
+  EXPECT_THROW(layout_of(0.0099), InputError);
+}
+
+
 // The projection of a charge behind him is not the nearest place of his back.
 TEST(SceneFiles, AChargeIsNoFartherThanItsEntrySays)
 {

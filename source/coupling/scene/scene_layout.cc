@@ -148,19 +148,23 @@ void SceneLayout::choose_levels(const SceneParameters &scene)
   positive_phase = scene.incident_wave().nearest_duration(distance);
   levels = scene.accuracy.levels;
   const unsigned int most = levels + max_extra_levels;
-  const double thickness =
-    std::min({body.side_length(0), body.side_length(1), body.side_length(2)});
   const auto is_coarse = [&]() {
     return scene.cell_size > 0.
              ? cell_size() > scene.cell_size * (1. + 1e-9)
              : levels < most &&
                  (cells_per_phase() < scene.accuracy.cells_per_phase ||
-                  thickness < least_cells_across * cell_size());
+                  cells_across() < least_cells_across);
   };
   if (scene.cell_size > 0.)
     levels = 0;
   while (is_coarse())
     ++levels;
+  if (cells_across() < 1.)
+    throw InputError(
+      "Body: its shortest side, " + brief(1e3 * cells_across() * cell_size()) +
+      " mm, is less than a cell of the gas, " + brief(1e3 * cell_size()) +
+      " mm; check the unit of its file, or choose a smaller "
+      "Scene/Cell size");
   // Fronts before the body keep the difference of the preset's levels.
   const unsigned int difference =
     scene.accuracy.levels - scene.accuracy.front_levels;
@@ -361,6 +365,14 @@ bool SceneLayout::is_far(const SceneParameters &scene) const
 double SceneLayout::cell_size() const
 {
   return leaf / subcells / std::pow(2., levels);
+}
+
+
+double SceneLayout::cells_across() const
+{
+  return std::min(
+           {body.side_length(0), body.side_length(1), body.side_length(2)}) /
+         cell_size();
 }
 
 

@@ -181,6 +181,19 @@ namespace
                                               : "Scene/Accuracy"};
   }
 
+  /// Item about the cells of the gas along the body.
+  Assumption body_cells(const SceneLayout &layout)
+  {
+    return {"body_cells",
+            "cells of " + brief(1e3 * layout.cell_size()) + " mm at the skin",
+            "number of cells along the body's shortest side",
+            "-",
+            layout.cells_across(),
+            SceneLayout::least_cells_across,
+            true,
+            "Scene/Cell size"};
+  }
+
   /// Items about charge and cells, known before the run.
   std::vector<Assumption> items_of_charge(const SceneParameters &scene,
                                           const SceneLayout &layout)
@@ -189,7 +202,8 @@ namespace
             afterburn(scene),
             afterburn_effect(scene, layout, BlastQuantity::overpressure),
             afterburn_effect(scene, layout, BlastQuantity::impulse),
-            resolution(scene, layout)};
+            resolution(scene, layout),
+            body_cells(layout)};
   }
 
   /// Item about a side of the domain that the user chose.

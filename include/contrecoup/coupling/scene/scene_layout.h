@@ -34,8 +34,8 @@ struct SceneLayout
    * ExpectedBlast in free air of 101325 Pa and 1.225 kg/m^3.
    * @param surface surface of the body
    * @throws InputError for a charge that overlaps the body or the ground or is
-   * closer to the skin than the subcells resolve, a body below ground, a
-   * requested symmetry that does not exist, and times and distances that need
+   * closer to the skin than the subcells resolve, a body below ground or
+   * thinner than a subcell, a requested symmetry that does not exist, and times and distances that need
    * more than max_leaves leaves
    */
   SceneLayout(const SceneParameters &scene, const Shape &surface);
@@ -96,6 +96,8 @@ struct SceneLayout
   double cell_size() const;
   /// Subcells at the skin for the length of the positive phase in air.
   double cells_per_phase() const;
+  /// Subcells at the skin along the body's shortest side.
+  double cells_across() const;
 
 private:
   void place_charge(const SceneParameters &scene, const Shape &surface);
