@@ -5,6 +5,7 @@
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/study/column.h>
 
+#include <boost/algorithm/string/predicate.hpp>
 #include <fnmatch.h>
 
 #include <algorithm>
@@ -65,16 +66,30 @@ namespace
            title;
   }
 
+  /// Titles that no other column and no factor has: with its folder, or the
+  /// whole address, where a shorter one is taken.
   void name(const std::vector<ColumnRequest> &requests,
+            const std::vector<std::string> &factors,
             std::vector<Column> &columns)
   {
     for (Column &column : columns)
     {
-      column.title = title_of(column.address, false);
-      for (const Column &other : columns)
-        if (&other != &column &&
-            title_of(other.address, false) == title_of(column.address, false))
-          column.title = title_of(column.address, true);
+      const auto is_taken = [&](const bool with_folder) {
+        const std::string title = title_of(column.address, with_folder);
+        return std::any_of(factors.begin(),
+                           factors.end(),
+                           [&](const std::string &factor) {
+                             return boost::algorithm::iequals(factor, title);
+                           }) ||
+               std::any_of(
+                 columns.begin(), columns.end(), [&](const Column &other) {
+                   return &other != &column &&
+                          title_of(other.address, with_folder) == title;
+                 });
+      };
+      column.title = !is_taken(false)  ? title_of(column.address, false)
+                     : !is_taken(true) ? title_of(column.address, true)
+                                       : column.address;
       for (const ColumnRequest &request : requests)
         if (request.address == column.address && !request.label.empty())
           column.title = request.label;
@@ -136,7 +151,8 @@ std::vector<ColumnRequest> parse_columns(const std::string &text)
 
 std::vector<Column> find_columns(const std::vector<ColumnRequest> &requests,
                                  const std::vector<const RunOutputs *> &runs,
-                                 const bool is_complete)
+                                 const bool is_complete,
+                                 const std::vector<std::string> &factors)
 {
   std::vector<Column> columns;
   std::set<std::string> taken;
@@ -156,7 +172,7 @@ std::vector<Column> find_columns(const std::vector<ColumnRequest> &requests,
     for (const RunOutputs *run : runs)
       if (column.unit.empty() && has(*run, column.address))
         column.unit = run->at(column.address).unit;
-  name(requests, columns);
+  name(requests, factors, columns);
   return columns;
 }
 

@@ -198,7 +198,11 @@ namespace
     std::optional<RunOutputs> reference;
     if (!folder.empty())
       runs.push_back(&reference.emplace(folder));
-    result.columns = find_columns(parameters.columns, runs, is_complete);
+    std::vector<std::string> factors;
+    for (const Factor &factor : parameters.factors)
+      factors.push_back(factor.name);
+    result.columns =
+      find_columns(parameters.columns, runs, is_complete, factors);
     for (ResultRow &row : result.rows)
       if (const auto found = outputs.find(&row); found != outputs.end())
         row.columns = values_of(result.columns, found->second);

@@ -84,6 +84,31 @@ class StudyPicturesTest(unittest.TestCase):
         markers = [line.get_marker() for line in axis.lines]
         self.assertEqual((markers.count("o"), markers.count("x")), (11, 1))
 
+    def test_many_outputs(self):
+        """Each has a panel, in as many pictures as that needs; what no run has
+        is named."""
+        many = study()
+        many["columns"] = [{"title": f"peak {number}", "unit": "Pa"}
+                           for number in range(26)] + many["columns"][1:]
+        for row in many["rows"]:
+            row["columns"] = [row["columns"][0] + number for number
+                              in range(26)] + [None]
+        for draw, name in ((study_curves.draw_curves, "curves"),
+                           (study_curves.draw_chart, "chart")):
+            with unittest.mock.patch.object(work_precision, "save") as save:
+                self.assertTrue(draw(many, self.folder))
+            self.assertEqual([call[0][2] for call in save.call_args_list],
+                             [name, name + "_2", name + "_3"])
+            figures = [call[0][0] for call in save.call_args_list]
+            shown = [axis.get_ylabel() if name == "curves" else
+                     axis.get_title(loc="left") for figure in figures
+                     for axis in figure.axes if axis.get_visible()]
+            self.assertEqual(shown, [f"peak {number} [kPa]"
+                                     for number in range(26)])
+            for figure in figures:
+                self.assertIn("without a value: never known",
+                              figure._suptitle.get_text())
+
     def test_no_chart(self):
         """One mass gives a curve alone, and outputs without a value nothing."""
         one = study(masses=[1.])

@@ -153,6 +153,19 @@ TEST_F(SceneFolder, FillsColumns)
               "peak [Pa]", "arrival chest [s]", "arrival back [s]", "none"}));
 }
 
+TEST_F(SceneFolder, NamesNoColumnAsAFactor)
+{
+  const RunOutputs outputs(folder_.path());
+  const auto columns = find_columns(
+    parse_columns("blast/results.peak; blast/loads.csv:arrival:chest"),
+    {&outputs},
+    false,
+    {"Peak", "arrival chest"});
+  ASSERT_EQ(columns.size(), 2u);
+  EXPECT_EQ(columns[0].title, "blast peak");
+  EXPECT_EQ(columns[1].title, "blast arrival chest");
+}
+
 TEST_F(SceneFolder, RefusesColumnsThatNoRunHas)
 {
   const RunOutputs outputs(folder_.path());

@@ -6,7 +6,8 @@ Reads study.json there and writes, as PNG and SVG, pictures/work_precision
 (error against cost and against unknowns) or pictures/stability_map (what
 became of each variant over the plane of two factors); of the outputs that
 Study/Columns names, pictures/curves (over the first factor with numbers) and
-pictures/chart (contours over two such factors).
+pictures/chart (contours over two such factors), beyond twelve outputs in
+further pictures (curves_2, chart_2 and so on).
 """
 
 import json

@@ -31,10 +31,12 @@ def numeric_factors(study):
 
 
 def shown_columns(study):
-    """Columns with at least one finite value, as many as a picture can show."""
-    return [number for number in range(len(study["columns"]))
-            if any(value(row, number) is not None for row in study["rows"])
-            ][:MOST_PANELS]
+    """Columns with at least one finite value, in lists as long as a picture can
+    show."""
+    known = [number for number in range(len(study["columns"]))
+             if any(value(row, number) is not None for row in study["rows"])]
+    return [known[begin:begin + MOST_PANELS]
+            for begin in range(0, len(known), MOST_PANELS)]
 
 
 def value(row, column):
@@ -62,11 +64,23 @@ def panels(count):
 
 
 def title(study):
-    """Title of a picture, with the number of runs that have no values."""
+    """Title of a picture, with the number of runs that have no values, and the
+    outputs that no run has."""
     missing = sum(not row["columns"] for row in study["rows"])
+    shown = [number for page in shown_columns(study) for number in page]
+    unknown = [column["title"] for number, column
+               in enumerate(study["columns"]) if number not in shown]
     return study["title"] + (
         f" ({missing} of {len(study['rows'])} runs did not finish)"
-        if missing else "")
+        if missing else "") + (
+            "\nwithout a value: " + ", ".join(unknown) if unknown else "")
+
+
+def pictures(study, name, draw):
+    """Calls a function with the columns and the name of each picture: NAME,
+    then NAME_2 and so on."""
+    for number, columns in enumerate(shown_columns(study), 1):
+        draw(columns, name if number == 1 else f"{name}_{number}")
 
 
 def label_x(axis, factor, values):
@@ -92,10 +106,16 @@ def lines_by_label(study, across):
 def draw_curves(study, folder):
     """Each output over the first factor with numbers, a line for each
     combination of the others. Returns whether there was something to draw."""
-    factors, columns = numeric_factors(study), shown_columns(study)
-    if not factors or not columns:
+    factors = numeric_factors(study)
+    if not factors or not shown_columns(study):
         return False
-    across = factors[0]
+    pictures(study, "curves", lambda columns, name: _draw_curves_of(
+        study, factors[0], columns, folder, name))
+    return True
+
+
+def _draw_curves_of(study, across, columns, folder, name):
+    """One picture of draw_curves()."""
     lines = lines_by_label(study, across)
     figure, axes = panels(len(columns))
     for axis, column in zip(axes, columns):
@@ -109,8 +129,7 @@ def draw_curves(study, folder):
             title=others, loc="upper left", bbox_to_anchor=(1.02, 1.),
             borderaxespad=0.)
     figure.suptitle(title(study), x=0.01, ha="left")
-    work_precision.save(figure, folder, "curves")
-    return True
+    work_precision.save(figure, folder, name)
 
 
 def draw_curve(axis, study, across, column, lines):
@@ -145,8 +164,9 @@ def draw_chart(study, folder):
     """Contours of each output over two factors with numbers, as in charts of
     pressure and impulse. Returns whether the study has two such factors and
     no others."""
-    factors, columns = numeric_factors(study), shown_columns(study)
-    if len(factors) != 2 or len(study["factors"]) != 2 or not columns:
+    factors = numeric_factors(study)
+    if len(factors) != 2 or len(study["factors"]) != 2 \
+            or not shown_columns(study):
         return False
     across, upwards = sorted(factors)
     x = sorted(set(numbers(study, across)))
@@ -154,6 +174,14 @@ def draw_chart(study, folder):
     if len(x) * len(y) != len({tuple(row["numbers"])
                                for row in study["rows"]}):
         return False
+    pictures(study, "chart", lambda columns, name: _draw_chart_of(
+        study, (across, upwards), (x, y), columns, folder, name))
+    return True
+
+
+def _draw_chart_of(study, factors, places, columns, folder, name):
+    """One picture of draw_chart(), over both factors at these places."""
+    (across, upwards), (x, y) = factors, places
     figure, axes = panels(len(columns))
     for axis, column in zip(axes, columns):
         grid = np.full((len(y), len(x)), np.nan)
@@ -168,8 +196,7 @@ def draw_chart(study, folder):
             axis.set_yscale("log")
             style.label_decades(axis.yaxis)
     figure.suptitle(title(study), x=0.01, ha="left")
-    work_precision.save(figure, folder, "chart")
-    return True
+    work_precision.save(figure, folder, name)
 
 
 def levels_of(values):
