@@ -87,12 +87,12 @@ class InjuryMapsTest(unittest.TestCase):
         self.assertAlmostEqual(
             injury_maps.area_unknown(maps, "lung_lethality"), 6 * 0.25)
 
-    def drawn(self, found):
+    def drawn(self, found, own=None):
         style.set_up()
         figures = []
         with unittest.mock.patch.object(
                 style, "save", lambda figure, _: figures.append(figure)):
-            injury_maps.draw(self.maps(found)["gauges_plane_1"], None)
+            injury_maps.draw(self.maps(found)["gauges_plane_1"], None, own)
         self.addCleanup(style.plt.close, figures[0])
         axes = [axis for axis in figures[0].axes if axis.images]
         return {axis.get_title(loc="left"): axis for axis in axes}
@@ -121,6 +121,9 @@ class InjuryMapsTest(unittest.TestCase):
                              {"1 %", "50 %", "99 %"})
         self.assertIn("50 %", words["death by lung injury"])
         self.assertEqual(words["peak overpressure"], {"4 psi"})
+        panels = self.drawn(fields(), {"lung_lethality": {0.4: "too many"}})
+        words = panels["death by lung injury"].texts
+        self.assertEqual([text.get_text() for text in words], ["too many"])
 
     def test_names_of_levels_are_apart(self):
         """Also of lines that are close together."""
@@ -149,6 +152,15 @@ class InjuryMapsTest(unittest.TestCase):
                       "on 0.750 m²)", text)
         self.assertIn("9 August 2024", text)
         self.assertIn("Lungs of people of 125\u00a0kg by side-on", text)
+        tiny_scene.write(
+            os.path.join(self.folder, "parameters.prm"),
+            "subsection Injury\n  subsection Measure ear_rupture\n"
+            "    set Thresholds = 0.3: too loud\n  end\nend\n")
+        text = "".join(map(str, blast_sections.people(Scene(self.folder))))
+        self.assertIn("“too loud” by rupture of an eardrum on 2.25 m²", text)
+        self.assertNotIn("half of the eardrums", text)
+        self.assertIn("half of the people would die on", text)
+        self.assertIn("thresholds of the user&#x27;s own for rupture", text)
 
 
 if __name__ == "__main__":

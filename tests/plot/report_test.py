@@ -20,6 +20,7 @@ import types
 import unittest
 import unittest.mock
 
+import h5py
 import numpy as np
 
 import damage_test
@@ -33,7 +34,7 @@ sys.path[:0] = [os.path.join(HERE, "..", "..", "applications"),
 import summaries  # noqa: E402 (after the path of the module)
 
 from plot import command_line  # noqa: E402 (after the path of the package)
-from plot.analysis import signals  # noqa: E402
+from plot.analysis import signals, wave_times  # noqa: E402
 from plot.figures import (body_loads, body_views, plane_cuts,  # noqa: E402
                           style)
 from plot.readers import tables  # noqa: E402
@@ -42,6 +43,14 @@ from plot.report import (blast_sections, error_estimate,  # noqa: E402
                          headline, injury_table, injury_thresholds,
                          page as html_page, reflections, scene_sections,
                          verdict)
+
+
+class Columns(dict):
+    """Columns of a table by name."""
+
+    @property
+    def names(self):
+        return list(self)
 
 
 class Made:
@@ -617,6 +626,7 @@ class ReportTest(unittest.TestCase):
                              if name.startswith("ear_rupture")})
         made = Made(folder)
         self.expect(text_of(made.page), "HIC15 as for headache",
+                    "drums: too loud (",
                     "1: headache 5000: concussion the user's own: our ward",
                     "judge nothing, since the table of injuries lacks "
                     "chest_wall_back.")
@@ -915,16 +925,83 @@ class ReportTest(unittest.TestCase):
             tiny_scene.write_mesh(os.path.join(
                 folder, f"biomechanics/fields/solid_{number:04d}.vtu"),
                 2e3 * number, 0.2, 4)
+        tiny_scene.write_history(os.path.join(folder, "biomechanics"),
+                                 ("gelatin",))
         made = Made(folder, paints=True)
         self.assertEqual(made.code, 0, made.errors)
         words = text_of(made.page)
         self.expect(words, "parallel plane, y = 0.04 m, through brain, ",
                     "no place was named",
-                    "Missing: injury.csv of biomechanics.",
+                    "this body has neither a brain nor a chest",
                     "spinal cord (an element of brain)", "2 m² of skin.",
                     "in front of a standing person", "ends where the images end")
         self.assertFalse("load_gauges.csv" in words)
         self.assertFalse("contrecoup (an" in words)
+
+    def test_times_with_waves(self):
+        """Pictures begin when waves arrive and end with them."""
+        scene = Scene(self.whole)
+        history = scene.biomechanics.table("history.csv")
+        outputs = [(time, []) for time in np.linspace(0., 4e-3, 41)]
+        arrival = history["time"][np.argmax(history["stored_energy"] > 0.)]
+        found = wave_times.of_body(outputs, history, None)
+        self.assertLess(abs(found[0][0] - arrival), 2e-4)
+        self.assertEqual(found[-1], outputs[-1])
+        calm = tables.Table(os.path.join(scene.biomechanics.folder,
+                                         "history.csv"))
+        calm.values[:, calm.names.index("stored_energy")] = np.where(
+            (calm["time"] > 1e-3) & (calm["time"] < 2e-3), 1., 1e-4)
+        found = wave_times.of_body(outputs, calm, None)
+        self.assertTrue(1e-3 < found[0][0] < found[-1][0] < 2e-3)
+        # Where a hand is struck before the chest is.
+        late = {"time": calm["time"], "probe_1_pressure": np.where(
+            calm["time"] > 1.6e-3, 1e5, 1e3)}
+        found = wave_times.of_body(outputs, calm, Columns(late))
+        self.assertGreater(found[0][0], 1.6e-3)
+        self.assertEqual(wave_times.of_body(outputs, None, None), outputs)
+        cuts = scene.pressure_planes()["plane_y_0_pressure"]
+        still = [types.SimpleNamespace(values=np.full((3, 4), 101325.))] * 3
+        self.assertEqual(wave_times.of_planes(still + cuts + still), cuts)
+        self.assertEqual(wave_times.of_planes(still), still)
+        self.assertEqual(wave_times.denser(range(30), 4, 2.), [0, 3, 12, 29])
+
+    def test_blast_that_does_not_arrive(self):
+        """Where nothing is to be seen, a line says why."""
+        folder = self.copy_without()
+        path = os.path.join(folder, "blast", "loads.h5")
+        with h5py.File(path, "r+") as file:
+            for name in ("arrival", "peak", "impulse"):
+                file[name][...] = 0.
+        made = Made(folder)
+        self.assertEqual(made.code, 0, made.errors)
+        words = text_of(made.page)
+        self.assertEqual(words.count("The blast does not reach the body before "
+                                     "the run ends."), 3)
+        self.assertFalse("Peak overpressure on the skin." in words)
+
+    def test_marks_of_verdicts(self):
+        """Each part with a verdict has a mark, where one of its places is seen
+        from the loaded sides; else a hollow one."""
+        spots = {(2, "back"): (0.1, 1.2), (1, "arm"): (0.2, 1.3)}
+
+        class Views:
+            """Of sides that show few places."""
+            @staticmethod
+            def spot(side, place, even_hidden=False):
+                return (0.3, 1.) if even_hidden else spots.get((side, place))
+
+        for places, expected in (
+                (["chest", "back"], (2, (0.1, 1.2))),
+                (["arm"], (1, (0.2, 1.3))), (["chest"], (2, (0.3, 1.)))):
+            mark = body_loads.Mark(places, "", "")
+            self.assertEqual(mark.spot(Views, (2, 1)), expected)
+            self.assertEqual(mark.is_seen, places != ["chest"])
+        scene = Scene(self.whole)
+        views = body_views.views_of(scene.loads(), scene.blast.folder)
+        beyond = views.high + 1.
+        self.assertIsNone(views.spot(0, beyond))
+        spot = views.spot(0, beyond, True)
+        self.assertTrue(np.all(np.array(spot) <= views.side_extent(0)))
 
     def test_missing_stages(self):
         for names, words in (

@@ -11,6 +11,7 @@ one-dimensional runs.
 
 import os
 
+from plot.analysis import wave_times
 from plot.readers import files, planes, profiles, tables
 from plot.figures import (blast_maps, body_loads, histories, injury_maps,
                           line_profiles, plane_cuts, style)
@@ -36,6 +37,7 @@ def main(output_folder):
     blast_maps.draw_gauge_lines(output_folder, pictures)
     for name, cuts in sorted(found.items()):
         stem = os.path.join(pictures, name)
+        cuts = wave_times.planes_to_draw(cuts)
         plane_cuts.draw_planes(cuts, stem + ".png")
         plane_cuts.draw_lines(cuts, stem + "_lowest.png")
     body_loads.draw(output_folder, pictures)

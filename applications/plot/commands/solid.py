@@ -9,6 +9,7 @@ head, and energies over time.
 
 import os
 
+from plot.analysis import wave_times
 from plot.readers import fields, files
 from plot.figures import body_cuts, style
 
@@ -18,7 +19,8 @@ BESIDE = 1e-4
 
 def main(output_folder, y: float = BESIDE):
     with files.reading(os.path.join(output_folder, "fields.pvd")):
-        panels = fields.cut_fields(fields.open_fields(output_folder), y)
+        panels = fields.cut_fields(
+            wave_times.fields_to_draw(output_folder), y)
     pictures = style.pictures_folder(output_folder)
     for name, head_only in (("sagittal", False), ("sagittal_head", True)):
         body_cuts.draw_pressures(panels, head_only,

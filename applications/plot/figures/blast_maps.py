@@ -66,6 +66,7 @@ def _draw_panel(figure, axis, plane, arrived):
     axis.set_title(plane.quantity.replace("_", " "))
     axis.grid(False)
     if not np.any(np.isfinite(values)):
+        style.say_nothing(axis, "the blast has not arrived")
         return
     # Near the charge, and where the front stood at the end, values are off
     # the scale that matters elsewhere.
@@ -124,6 +125,7 @@ def _draw_gauge_line(table, path):
         values = np.where(arrived, table[name], np.nan)
         axis.set_title(name.replace("_", " "))
         if not np.any(arrived):
+            style.say_nothing(axis, "the blast has not arrived")
             continue
         factor, unit = style.scale_unit(table.unit(name),
                                         np.nanpercentile(values, 90.))

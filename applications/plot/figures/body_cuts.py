@@ -9,6 +9,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.collections import PolyCollection
 
+from plot.analysis import wave_times
 from plot.readers import fields, vtk_file
 from plot.figures import style
 
@@ -68,7 +69,7 @@ def draw_probes(folder, time, pressures, references, path):
     cuts if the run has fields."""
     figure = plt.figure(figsize=(9., 6.))
     has_fields = os.path.exists(os.path.join(folder, "fields.pvd"))
-    outputs = fields.open_fields(folder) if has_fields else []
+    outputs = wave_times.fields_to_draw(folder) if has_fields else []
     grid = figure.add_gridspec(2, max(1, len(outputs)), height_ratios=[2, 1])
     axis = figure.add_subplot(grid[0, :])
     for name, values in pressures.items():

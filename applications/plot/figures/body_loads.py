@@ -14,6 +14,7 @@ from plot.analysis import signals
 from plot.figures import body_views, style
 
 MOST_TIMES = 6
+NEAR = 0.01  # of the run, between the sample of a peak and the peak itself
 
 
 def draw(folder, pictures):
@@ -22,6 +23,9 @@ def draw(folder, pictures):
     if not os.path.exists(path):
         return
     loads = Loads(path)
+    if len(loads.areas) and not loads.arrived().any():
+        print("no pictures of loads: the blast does not reach the body")
+        return
     views = body_views.views_of(loads, folder)
     if views is not None:
         draw_times(loads, views, os.path.join(pictures, "body_pressure.png"))
@@ -37,8 +41,6 @@ def pick_times(loads):
     at the beginning."""
     arrivals = loads.measure("arrival")
     arrivals = arrivals[arrivals > 0.]
-    if arrivals.size == 0:
-        return loads.times[-1:]
     first, last = np.percentile(arrivals, [2., 98.])
     parts = np.linspace(0.15, 1., MOST_TIMES) ** 1.5
     times = first + 1.6 * (last - first) * parts
@@ -76,15 +78,13 @@ def draw_times(loads, views, path, one_scale=False):
 def draw_measures(loads, views, path):
     names = [name for name in ("peak", "impulse", "arrival") if name in loads]
     figure, axes = _panels(views, 1, len(names))
-    arrived = loads.measure("arrival") > 0.
+    arrived = loads.arrived()
     titles = {"peak": "peak overpressure", "impulse": "positive impulse",
               "arrival": "arrival"}
     units = {"peak": "Pa", "impulse": "Pa s", "arrival": "s"}
     for axis, name in zip(axes, names):
         values = np.where(arrived, loads.measure(name), np.nan)
         axis.set_title(titles[name])
-        if not np.any(arrived):
-            continue
         low, high = np.nanpercentile(values, [1., 99.5])
         factor, unit = style.scale_unit(units[name], high)
         low, high = low * factor, high * factor
@@ -97,27 +97,40 @@ def draw_measures(loads, views, path):
 
 
 class Mark:
-    """A part of the body with a verdict: where it is, words, a colour."""
+    """A part of the body with a verdict: where it may be marked, the best place
+    first; words, a colour."""
 
-    def __init__(self, place, words, colour):
-        self.place, self.words, self.colour = place, words, colour
+    def __init__(self, places, words, colour):
+        self.places, self.words, self.colour = places, words, colour
+        self.is_seen = True
+
+    def spot(self, views, sides):
+        """The first of its places that one of these sides shows: the side, and
+        where that is in its view; or where the first place is behind what the
+        first side shows."""
+        for place in self.places:
+            for side in sides:
+                found = views.spot(side, place)
+                if found is not None:
+                    return side, found
+        self.is_seen = False
+        return sides[0], views.spot(sides[0], self.places[0], True)
 
 
 def verdict_figure(loads, views, marks):
     """The body from the two sides that the blast loads most, coloured by its
     peak overpressure, with the parts that have a verdict."""
-    values = np.where(loads.measure("arrival") > 0., loads.measure("peak"),
+    values = np.where(loads.arrived(), loads.measure("peak"),
                       np.nan)
     factor, unit = style.scale_unit("Pa", np.nanmax(values, initial=0.))
-    low, high = np.nanpercentile(values, [1., 99.5]) * factor \
-        if np.isfinite(values).any() else (0., 1.)
+    low, high = np.nanpercentile(values, [1., 99.5]) * factor
     norm = Normalize(min(low, 0.), high if high > low else low + 1.)
     sides = views.loaded_sides(np.nan_to_num(values) * loads.areas)
     figure, axes = plt.subplots(1, 2, figsize=(3.9, 4.2))
     # Both at one scale.
     widest, highest = np.max([views.side_extent(side) for side in sides],
                              axis=0)
-    left = list(marks)
+    spots = [(mark, *mark.spot(views, sides)) for mark in marks]
     for axis, side in zip(axes, sides):
         axis.set_axis_off()
         width, height = views.side_extent(side)
@@ -127,15 +140,16 @@ def verdict_figure(loads, views, marks):
         axis.set_xlim(0.5 * (width - widest), 0.5 * (width + widest))
         axis.set_ylim(0.5 * (height - highest), 0.5 * (height + highest))
         axis.set_title(views.names()[side], fontsize=10)
-        seen = [(mark, views.spot(side, mark.place)) for mark in left]
-        seen = [(mark, spot) for mark, spot in seen if spot is not None]
-        left = [mark for mark in left
-                if mark not in [one for one, _ in seen]]
         level = np.inf
-        for mark, spot in sorted(seen, key=lambda one: -one[1][1]):
+        for mark, _, spot in sorted(
+                (one for one in spots if one[1] == side),
+                key=lambda one: -one[2][1]):
             level = min(spot[1], level - 0.075 * height)
-            axis.plot(*spot, marker="o", markersize=6, color=mark.colour,
-                      markeredgecolor="white")
+            # Hollow where it is behind what is seen.
+            axis.plot(*spot, marker="o", markersize=6,
+                      color=mark.colour if mark.is_seen else "white",
+                      markeredgecolor="white" if mark.is_seen
+                      else mark.colour)
             axis.annotate(
                 mark.words, spot, (1.05 * width, level), fontsize=9,
                 color=mark.colour, va="center", weight="bold",
@@ -256,7 +270,8 @@ def _draw_history(axis, gauges, name, colour, measures):
             continue
         place = time[index], over[index]
         # Samples are means over steps and lack some of the peak.
-        if "peak" in measures and over[index] == np.max(over):
+        if "peak" in measures and over[index] == np.max(over) and \
+                abs(measures["peak time"] - place[0]) < NEAR * time[-1]:
             place = measures["peak time"], measures["peak"]
         place = place[0] * time_factor, place[1] * factor
         axis.plot(*place, marker=marker, markersize=4, color=colour)

@@ -102,10 +102,10 @@ class BodyViews:
         return first, max(((first + 1) % 4, (first + 3) % 4),
                           key=lambda side: towards[side])
 
-    def spot(self, side, point):
+    def spot(self, side, point, even_hidden=False):
         """Where a point of the surface is in a view [m]; None where it cannot
-        be seen."""
-        return self.sides[side].spot(self.axes @ point)
+        be seen, unless hidden ones are wanted, too."""
+        return self.sides[side].spot(self.axes @ point, even_hidden)
 
     def _gap(self):
         return GAP * (self.high - self.low)[2]
@@ -222,9 +222,11 @@ class _Side:
         picture[body] = (grey * self.light[:, :, None])[body]
         return picture
 
-    def spot(self, point):
+    def spot(self, point, even_hidden):
         row, column, close = (x[0] for x in self._project(point[None, :]))
-        if (not (0 <= row < self.shape[0] and 0 <= column < self.shape[1])
-                or close < self.nearest[row, column] - self.tolerance):
+        if even_hidden:
+            row, column = np.clip((row, column), 0, np.array(self.shape) - 1)
+        elif (not (0 <= row < self.shape[0] and 0 <= column < self.shape[1])
+              or close < self.nearest[row, column] - self.tolerance):
             return None
         return (column + 0.5) * self.pixel, (row + 0.5) * self.pixel

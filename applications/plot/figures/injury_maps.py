@@ -64,22 +64,24 @@ def _known(maps, name):
     return known & simple(maps) if name == "lung_lethality" else known
 
 
-def draw(maps, path):
+def draw(maps, path, own=None):
     """A panel for each measure; grey where the blast has not arrived or the
-    measure is not known, that of lungs also where the wave is not simple."""
+    measure is not known, that of lungs also where the wave is not simple. @p
+    own: named levels in place of those of PANELS, by measure."""
     figure, axes = blast_maps.four_panels(maps["peak_overpressure"])
-    for axis, name in zip(axes.flat, PANELS):
-        _draw_panel(figure, axis, maps[name], _known(maps, name))
+    for axis, (name, (title, levels)) in zip(axes.flat, PANELS.items()):
+        _draw_panel(figure, axis, maps[name], _known(maps, name), title,
+                    (own or {}).get(name, levels))
     style.save(figure, path)
 
 
-def _draw_panel(figure, axis, plane, known):
-    title, levels = PANELS[plane.quantity]
+def _draw_panel(figure, axis, plane, known, title, levels):
     values = np.where(known, plane.values, np.nan)
     axis.set_facecolor("#cccccc")
     axis.set_title(title)
     axis.grid(False)
     if not np.any(np.isfinite(values)):
+        style.say_nothing(axis, "known nowhere")
         return
     high = float(np.nanpercentile(values, 99.))
     factor, unit = style.scale_unit(plane.unit, high)

@@ -7,26 +7,8 @@ import numpy as np
 from matplotlib.colors import PowerNorm
 from matplotlib.ticker import MaxNLocator
 
+from plot.analysis import wave_times
 from plot.figures import style
-
-MOST_PANELS = 6
-
-
-def _pick(planes):
-    """Evenly spread planes, the first one only if there are few."""
-    if len(planes) > MOST_PANELS:
-        planes = planes[1:]
-    picks = np.unique(np.linspace(0, len(planes) - 1, MOST_PANELS).round())
-    return [planes[int(pick)] for pick in picks]
-
-
-def _background(planes):
-    """The undisturbed pressure: the commonest value at the start."""
-    values = planes[0].values[np.isfinite(planes[0].values)]
-    found, counts = np.unique(values, return_counts=True)
-    if counts.max() > 0.02 * values.size:
-        return float(found[counts.argmax()])
-    return float(np.median(values))
 
 
 def _time(plane, planes):
@@ -47,22 +29,21 @@ def _shown(plane, background):
 
 
 def largest_overpressure(planes):
-    """[Pa], of those that are drawn."""
-    background = _background(planes)
+    """[Pa]"""
+    background = wave_times.background(planes)
     return max(float(np.nanmax(_shown(plane, background)))
-               for plane in _pick(planes))
+               for plane in planes)
 
 
 def draw_planes(planes, path, one_scale=False):
-    """The quantity at up to six times, each with its own colour scale or all
-    with one."""
-    background = _background(planes)
-    picked = _pick(planes)
-    shown = [_shown(plane, background) for plane in picked]
+    """The quantity at these times, each with its own colour scale or all with
+    one."""
+    background = wave_times.background(planes)
+    shown = [_shown(plane, background) for plane in planes]
     together = np.concatenate([values[np.isfinite(values)]
                                for values in shown])
-    columns = 1 if len(picked) < 3 else 3
-    rows = -(-len(picked) // columns)
+    columns = 1 if len(planes) < 3 else 3
+    rows = -(-len(planes) // columns)
     width = planes[0].upper[0] - planes[0].lower[0]
     height = planes[0].upper[1] - planes[0].lower[1]
     side = 8. if columns == 1 else 3.3
@@ -70,17 +51,17 @@ def draw_planes(planes, path, one_scale=False):
     figure, axes = plt.subplots(
         rows, columns, squeeze=False, sharex=True, sharey=True,
         figsize=(side * columns, (panel + 0.6) * rows))
-    for axis in axes.flat[len(picked):]:
+    for axis in axes.flat[len(planes):]:
         axis.set_axis_off()
-    for number, (plane, values) in enumerate(zip(picked, shown), 1):
+    for number, (plane, values) in enumerate(zip(planes, shown), 1):
         axis = axes.flat[number - 1]
         image = _draw_panel(axis, plane, values, together if one_scale
                             else values[np.isfinite(values)])
         # The scale of all stands at the end of each row.
-        if not one_scale or number in (len(picked), -(-number // columns)
+        if not one_scale or number in (len(planes), -(-number // columns)
                                        * columns):
             _draw_bar(figure, axis, plane, image)
-        axis.set_title(_time(plane, picked))
+        axis.set_title(_time(plane, planes))
     for axis in axes[:, 0]:
         axis.set_ylabel(style.label(planes[0].axes[1], "m"))
     for axis in axes[-1, :]:
@@ -117,17 +98,16 @@ def _draw_bar(figure, axis, plane, drawn):
 
 def draw_lines(planes, path):
     """The quantity along the first axis at the lower edge of the planes,
-    which is the ground in a vertical cut, at up to six times."""
-    background = _background(planes)
-    picked = _pick(planes)
+    which is the ground in a vertical cut."""
+    background = wave_times.background(planes)
     largest = max(np.nanmax(np.abs(_shown(plane, background)[0]))
-                  for plane in picked)
+                  for plane in planes)
     factor, unit = style.scale_unit(planes[0].unit, largest)
     figure, axis = plt.subplots(figsize=(7., 3.8))
-    colours = plt.get_cmap("viridis")(np.linspace(0., 0.9, len(picked)))
-    for plane, colour in zip(picked, colours):
+    colours = plt.get_cmap("viridis")(np.linspace(0., 0.9, len(planes)))
+    for plane, colour in zip(planes, colours):
         axis.plot(plane.positions(), _shown(plane, background)[0] * factor,
-                  color=colour, label=_time(plane, picked))
+                  color=colour, label=_time(plane, planes))
     first = planes[0]
     axis.set_title(f"{_name(first)} along the lowest samples, "
                    f"{first.axes[1]} = {first.lower[1]:.2g} m")

@@ -72,6 +72,13 @@ def label(name, unit):
     return f"{name} [{unit}]" if unit else name
 
 
+def say_nothing(axis, reason):
+    """In the middle of an axis that has nothing to show, why."""
+    axis.set(xticks=[], yticks=[])
+    axis.text(0.5, 0.5, reason, transform=axis.transAxes, ha="center",
+              va="center", fontsize=9)
+
+
 def about_zero(largest):
     """Square roots to both sides of zero, so that weak waves show as well."""
     return FuncNorm((lambda x: np.sign(x) * np.sqrt(np.abs(x)),

@@ -9,7 +9,6 @@ import numpy as np
 
 from plot.readers import vtk_file
 
-MOST_TIMES = 8
 # Corners at the beginning and the end of the four edges along each axis.
 EDGES = [((0, 3, 7, 4), (1, 2, 6, 5)), ((0, 1, 5, 4), (3, 2, 6, 7)),
          ((0, 1, 2, 3), (4, 5, 6, 7))]
@@ -34,14 +33,6 @@ def list_fields(folder):
                                                   file.read())]
         result.append((float(time), pieces))
     return result
-
-
-def open_fields(folder):
-    """Up to MOST_TIMES of them, the first one only if there are few."""
-    found = list_fields(folder)
-    found = found[1:] or found
-    chosen = np.unique(np.linspace(0, len(found) - 1, MOST_TIMES).astype(int))
-    return [found[number] for number in chosen]
 
 
 def cut(mesh, place):

@@ -43,6 +43,10 @@ class Loads:
     def measure(self, name):
         return self.file[name][:]
 
+    def arrived(self):
+        """Whether the blast reaches each facet."""
+        return self.measure("arrival") > 0.
+
     def overpressure(self, time):
         """Sample that a time is in, for all facets."""
         return self.file["overpressure"][:, self.index(time)]

@@ -7,11 +7,21 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 from plot.readers import files, loads
-from plot.analysis import person, signals
+from plot.analysis import person, signals, wave_times
 from plot.figures import (body_loads, body_views, injury_maps, plane_cuts,
                           style)
-from plot.report import error_estimate, page
+from plot.report import error_estimate, injury_thresholds, page
 from plot.report.injury_thresholds import KNOWN
+
+# Of maps of people: the measure with thresholds, what it is called, and the
+# level whose area is told, with what happens there.
+PEOPLE = {
+    "lung_lethality": ("lung_lethality", "death by lung injury", 0.5,
+                       "half of the people would die"),
+    "eardrum_rupture": ("ear_rupture", "rupture of an eardrum", 0.5,
+                        "half of the eardrums would rupture"),
+    "peak_overpressure": ("peak_overpressure", "peak overpressure",
+                          4. * injury_maps.PSI, "4 psi are exceeded")}
 
 
 def air(scene):
@@ -41,37 +51,46 @@ def air(scene):
 def people(scene):
     """What the blast would do to people in planes of gauges; nothing where no
     such plane was asked for."""
-    mass = files.as_number(scene.blast.parameters.get("Loads/Body mass"))
+    known = injury_thresholds.of_run(scene)
+    own = {name: known[measure].thresholds for name, (measure, *_)
+           in PEOPLE.items() if known[measure].is_own}
     parts = []
     for maps in filter(injury_maps.are_in, scene.gauge_planes()):
         words = []
-        for name, level, what in (
-                ("lung_lethality", 0.5, "half of the people would die"),
-                ("eardrum_rupture", 0.5, "half of the eardrums would rupture"),
-                ("peak_overpressure", 4. * injury_maps.PSI,
-                 "4 psi are exceeded")):
-            area = injury_maps.area_above(maps, name, level)
-            unknown = injury_maps.area_unknown(maps, name)
-            words.append(f"{what} on {page.number(area)} m²" + (
-                f" (unknown on {page.number(unknown)} m²)"
-                if unknown > 0. else ""))
+        for name, (_, title, level, what) in PEOPLE.items():
+            words += [(f"“{meaning}” by {title}" if meaning else what)
+                      + _area(maps, name, limit)
+                      for limit, meaning in own.get(name, [(level, "")])]
+        drawn = page.drawn(injury_maps.draw, maps, own={
+            name: dict(levels) for name, levels in own.items()})
         parts.append(page.figure(
-            page.drawn(injury_maps.draw, maps),
+            drawn,
             "Maps of the probability that an eardrum ruptures, the probability "
             "of death by lung injury, the chest wall velocity and the peak "
             "overpressure.",
-            "What the blast would do to people "
-            + (f"of {page.number(mass)} kg " if mass else "")
-            + "who stand in a plane of gauges, as if nobody were there: " + "; ".join(words) + " of it. Grey: the "
+            "What the blast would do to people who stand in a plane of gauges, "
+            "as if nobody were there: " + "; ".join(words)
+            + " of it. Grey: the "
             "blast has not arrived, the figure is not known, as within the "
             "charge, or, of lungs, the blast is not over or not simple; among "
             "the products of the explosive no curve was measured. Lungs"
             f"{_mass_of_people(scene)} by side-on plus dynamic "
-            f"pressure and positive phase ({KNOWN['lung_lethality'][2]}), "
-            f"eardrums by the peak ({KNOWN['ear_rupture'][2]}); 4 psi: "
-            f"{KNOWN['peak_overpressure'][2]}. The chest wall velocity: "
-            f"{KNOWN['chest_wall_velocity_air'][3]}."))
+            f"pressure and positive phase ({KNOWN['lung_lethality'].source}), "
+            f"eardrums by the peak ({KNOWN['ear_rupture'].source}); "
+            f"4 psi: {KNOWN['peak_overpressure'].source}; "
+            + ("lines are thresholds of the user's own for "
+               + page.joined(PEOPLE[name][1] for name in own) + "; "
+               if own else "")
+            + "the chest wall velocity: "
+            f"{KNOWN['chest_wall_velocity_air'].limits}."))
     return parts
+
+
+def _area(maps, name, level):
+    """Where a quantity exceeds a level, in words."""
+    unknown = injury_maps.area_unknown(maps, name)
+    return f" on {page.number(injury_maps.area_above(maps, name, level))} m²" + (
+        f" (unknown on {page.number(unknown)} m²)" if unknown > 0. else "")
 
 
 def _mass_of_people(scene):
@@ -83,6 +102,8 @@ def _mass_of_people(scene):
 # Gauges that stand for a part with a verdict, in order.
 PLACES = {"eardrums": ("left ear", "right ear"), "lungs": ("chest", "back"),
           "brain": ("forehead", "vertex")}
+NOT_REACHED = page.paragraph("The blast does not reach the body before the run "
+                             "ends.", kind="note")
 COLOURS = {"good": "#1f6b3a", "mid": "#8a5a00", "bad": "#a12a1c",
            "none": style.GREY}
 
@@ -92,6 +113,8 @@ def verdict_figure(scene, verdicts):
     known, views = scene.loads(), views_of(scene)
     if known is None or views is None:
         return page.missing("loads.h5 of a body in the blast's folder")
+    if not known.arrived().any():
+        return NOT_REACHED
     places, marks = known.places(), []
     for one in verdicts:
         ear = one.entry.name.removeprefix("ear_rupture_")
@@ -99,9 +122,9 @@ def verdict_figure(scene, verdicts):
                  if name in places]
         if not names and one.subject == "brain":
             names = _skin_at_coup(scene, places)
-        # The side with the larger load is the one that is shown.
-        marks += [body_loads.Mark(places[name], one.label(),
-                                  COLOURS[one.kind]) for name in names[:1]]
+        if names:
+            marks.append(body_loads.Mark([places[name] for name in names],
+                                         one.label(), COLOURS[one.kind]))
     with files.reading(scene.blast.path("loads.h5")):
         picture = body_loads.verdict_figure(known, views, marks)
         largest = page.quantity(float(known.measure("peak").max()), "Pa")
@@ -111,7 +134,9 @@ def verdict_figure(scene, verdicts):
         + (", with marks at " + page.joined(mark.words for mark in marks)
            if marks else "") + ".", "Peak overpressure on the skin."
         + (" Marks have the colour of their verdict: green below all "
-           "thresholds, red above all, brown between." if marks else ""))
+           "thresholds, red above all, brown between"
+           + ("." if all(mark.is_seen for mark in marks) else
+              "; hollow ones are behind what is seen.") if marks else ""))
 
 
 def _skin_at_coup(scene, places):
@@ -144,14 +169,8 @@ def _pick(scene, cuts):
         begin = float(arrivals[arrivals > 0.].min())
     # The last one before the arrival is the first picture.
     first = max([i for i, cut in enumerate(cuts) if cut.time < begin] or [0])
-    later = cuts[first:]
-    if len(later) <= plane_cuts.MOST_PANELS:
-        return later
-    wanted = np.linspace(0., 1., plane_cuts.MOST_PANELS) ** 2 * (len(later) - 1)
-    numbers = []
-    for index in wanted.astype(int):
-        numbers.append(max(index, numbers[-1] + 1 if numbers else 0))
-    return [later[index] for index in numbers]
+    later = wave_times.of_planes(cuts[first:], wave_times.SEEN)
+    return wave_times.denser(later, wave_times.MOST_PLANES, 2.)
 
 
 def skin(scene):
@@ -160,6 +179,8 @@ def skin(scene):
     views = views_of(scene)
     if known is None or views is None:
         return [page.missing("loads.h5 of a body in the blast's folder")]
+    if not known.arrived().any():
+        return [NOT_REACHED]
     with files.reading(scene.blast.path("loads.h5")):
         moments = body_loads.pick_times(known)
         times = page.drawn(body_loads.draw_times, known, views, one_scale=True)
@@ -189,6 +210,8 @@ def histories(scene):
             "Blast/Loads/Gauges).", kind="note"))
     elif gauges is None or len(gauges.values) < 3 or scene.loads() is None:
         parts.append(page.missing("load_gauges.csv of the blast"))
+    elif not scene.loads().arrived().any():
+        return [NOT_REACHED]
     else:
         parts.append(page.figure(
             body_loads.gauges_figure(
@@ -257,6 +280,9 @@ def _gauge_table(scene, gauges):
 def _gauge_errors(scene, gauges):
     """Of the table of gauges, a row each."""
     errors = error_estimate.of_scene_gauges(scene)
+    if not errors:
+        return page.paragraph("The numerical errors of this table are unknown: "
+                              "the scene has no coarser run.", kind="note")
     rows = [(name, *(page.error(errors[name][measure])
                      if measure in errors.get(name, {}) else "unknown"
                      for measure in error_estimate.GAUGE_MEASURES))
@@ -265,8 +291,7 @@ def _gauge_errors(scene, gauges):
     return page.table(
         ("place", "error of peak", "error of impulse",
          "error of positive phase"), rows,
-        "Numerical errors, estimated from the coarser run; unknown without "
-        "it.", numbers=(1, 2, 3))
+        "Numerical errors, estimated from the coarser run.", numbers=(1, 2, 3))
 
 
 def resultant(scene):
@@ -327,7 +352,7 @@ def conservation(scene):
                      page.percent(change, 3)))
     parts = [page.table(
         ("total in the domain", "at the start", "at the end", "change"),
-        rows, numbers=(1, 2, 3))]
+        rows, _computed_part(scene), numbers=(1, 2, 3))]
     parts.append(page.paragraph(_open_sides(scene)))
     rows = []
     for name, text in (
@@ -345,6 +370,13 @@ def conservation(scene):
         parts.append(page.table(("check of the loads", "difference"), rows,
                                 numbers=(1,)))
     return parts
+
+
+def _computed_part(scene):
+    """Which part of the gas the totals are of, where that is not all."""
+    part = {2: "half", 4: "quarter", 8: "eighth"}.get(scene.mirror_factor())
+    return f"Of the {part} of gas and charge that is computed, on one side of " \
+        "each plane of symmetry." if part else ""
 
 
 def _open_sides(scene):

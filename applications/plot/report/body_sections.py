@@ -11,12 +11,11 @@ from matplotlib.collections import PolyCollection
 from matplotlib.colors import Normalize
 
 from plot.readers import fields, files
-from plot.analysis import person, signals, tissue_places
+from plot.analysis import person, signals, tissue_places, wave_times
 from plot.figures import body_cuts, style
 from plot.report import page
 from plot.report.energy_audit import EnergyAudit
 
-MOST_TIMES = 8
 # The parasagittal plane: so far from y = 0 [m], but at most such a part of the
 # body's half width, which matters for a head alone.
 BESIDE = 0.0801
@@ -45,7 +44,11 @@ ENERGIES = (("external_work", "work of the loads"),
 
 def waves(scene):
     """Pressure in the sagittal plane at several times."""
-    outputs = _pick(scene)
+    outputs = wave_times.denser(
+        wave_times.of_body(scene.field_list(),
+                           scene.biomechanics.table("history.csv"),
+                           scene.biomechanics.table("probes.csv")),
+        wave_times.MOST_FIELDS, 1.5)
     if not outputs:
         return [page.missing("fields of biomechanics")]
     with files.reading(scene.biomechanics.path("fields")):
@@ -158,28 +161,6 @@ def _draw_peaks(found):
         figure.colorbar(axis.collections[0], ax=axis, shrink=0.7,
                         label=unit or None)
     return figure
-
-
-def _pick(scene):
-    """Outputs from the arrival on, denser at the beginning."""
-    outputs = scene.field_list()
-    begin = 0.
-    probes = scene.biomechanics.table("probes.csv")
-    if probes is not None:
-        columns = [name for name in probes.names if name.endswith("_pressure")]
-        size = np.abs(np.stack([probes[name] for name in columns])) \
-            if columns else np.zeros((1, len(probes.values)))
-        struck = size.max(axis=0) > 0.02 * size.max()
-        begin = float(probes["time"][np.argmax(struck)])
-    later = [field for field in outputs if field[0] >= begin] or outputs[-1:]
-    if len(later) <= MOST_TIMES:
-        return later
-    wanted = np.linspace(0., 1., MOST_TIMES) ** 1.5 * (len(later) - 1)
-    numbers = []
-    for index in wanted.astype(int):
-        # Each output once, the early ones all.
-        numbers.append(max(index, numbers[-1] + 1 if numbers else 0))
-    return [later[index] for index in numbers if index < len(later)]
 
 
 def histories(scene):
@@ -328,13 +309,13 @@ def energy(scene):
 
 def _draw_energy(history, known):
     time = 1e3 * history["time"]
+    tissues = [name[len("internal_energy_"):] for name in history.names
+               if name.startswith("internal_energy_")]
     figure, axes = plt.subplots(1, 2, figsize=(9.4, 3.7))
     for name, text in known:
         axes[0].plot(time, history[name], label=text,
                      linestyle="--" if name == "energy_residual" else "-")
     axes[0].set_title("whole body")
-    tissues = [name[len("internal_energy_"):] for name in history.names
-               if name.startswith("internal_energy_")]
     for number, tissue in enumerate(tissues):
         axes[1].plot(time, history["internal_energy_" + tissue],
                      color=style.COLOURS[number % 7], label=tissue.replace(

@@ -24,6 +24,7 @@ COMPARED = {"peak_overpressure": "peak overpressure",
             "arrival": "arrival", "lung_exposure": KNOWN["lung_exposure_air"][0],
             "lung_lethality": KNOWN["lung_lethality"][0],
             "eardrum_rupture": "rupture probability of an eardrum in the open"}
+LUNGS = ("lung_exposure", "lung_lethality")
 CHANCES = ("lung_lethality", "eardrum_rupture")
 MOST_LINES = 3  # of what could change the verdict, in the text version
 
@@ -41,8 +42,9 @@ class Lead:
         self.equivalence = _equivalence(scene)
         mass = files.as_number((scene.facts.get("tables") or {}).get(
             "body_mass"))
-        self.lungs = "" if mass is None else (
-            f"; lungs of a person of {page.given(mass, 'kg')}")
+        self.lungs = "" if mass is None or not any(
+            row.get("name") in LUNGS for row in _rows(scene)) else (
+                f"; lungs of a person of {page.number(mass)} kg")
         self.reflections = reflections.note(scene)
         self.file = _comparison_file(scene)
 

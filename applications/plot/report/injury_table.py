@@ -293,10 +293,7 @@ def find(judged, name):
 def table(scene, judged):
     """The injury table, by parts of the body."""
     if not judged:
-        wanted = "injury.csv of biomechanics"
-        if not scene.has_no_gauges():
-            wanted += " and gauge_injury.csv of the blast"
-        return [page.missing(wanted)]
+        return [_nothing_judged(scene)]
     parts, left = [], list(judged)
     for title, beginnings in GROUPS:
         group = [entry for entry in left if entry.name.startswith(beginnings)]
@@ -311,6 +308,21 @@ def table(scene, judged):
         "and the tissue properties are less certain than the numerics.",
         kind="note"))
     return [part for part in parts if part]
+
+
+def _nothing_judged(scene):
+    """Why the table is empty."""
+    history = scene.biomechanics.table("history.csv")
+    if scene.has_no_gauges() and history is not None and not any(
+            f"internal_energy_{tissue}" in history
+            for tissue in ("brain", "lung")):
+        return page.paragraph(
+            "There is no measure of injury: this body has neither a brain nor "
+            "a chest.", kind="note")
+    wanted = "injury.csv of biomechanics"
+    if not scene.has_no_gauges():
+        wanted += " and gauge_injury.csv of the blast"
+    return page.missing(wanted)
 
 
 def table_of(group):

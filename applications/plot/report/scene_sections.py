@@ -322,8 +322,25 @@ def timeline(scene):
         else:
             text = event.what
         rows.append((page.milliseconds(event.begin), text, event.detail))
-    caption = "Events since the detonation. "
+    return [_timeline_chart(scene, found), page.folded_table(
+        "All events as a table", page.table(
+            ("time", "event", "values"), rows, numbers=(0,), data=(
+                ("place", "medium", "begin [s]", "end of the positive phase "
+                 "[s]", "second front or largest pressure [s]", "values"),
+                [(event.what, event.lane, *(
+                    "" if time is None else page.Rounded("", time) for time in
+                    (event.begin, None if event.is_cut else event.end,
+                     event.mark)), event.detail)
+                 for event in sorted(found, key=lambda event: event.begin)])))]
+
+
+def _timeline_chart(scene, found):
+    """Picture of the events on skin and in tissue, or why there is none."""
     lanes = {event.lane for event in found}
+    if lanes == {"air"}:
+        return page.paragraph("The wave arrives at no named place on the skin or "
+                              "in the tissue.", kind="note")
+    caption = "Events since the detonation. "
     if "skin" in lanes:
         caption += ("Bars: positive phases on the skin; triangles: second "
                     "front, reflected by the ground or by the body. ")
@@ -335,7 +352,7 @@ def timeline(scene):
         caption += ("Arrivals are the middle of the first rise, which lasts "
                     f"{page.quantity(float(np.median(rises)), 's', 2)} (median "
                     "on the skin): events that are closer have no order. ")
-    return [page.figure(
+    return page.figure(
         _draw_timeline(found), "Chart of events on a time axis, one row for "
         "each place on the skin and in the tissue, from "
         f"{page.milliseconds(min(event.begin for event in found))} to "
@@ -345,16 +362,7 @@ def timeline(scene):
         + "; ".join(f"({'abcdefgh'[i + 1]}) {event.what}" if i >= 0 else
                     event.what for i, event in enumerate(
                         (event for event in found if event.lane == "air"),
-                        -1)) + ".", "svg"),
-        page.folded_table("All events as a table", page.table(
-            ("time", "event", "values"), rows, numbers=(0,), data=(
-                ("place", "medium", "begin [s]", "end of the positive phase "
-                 "[s]", "second front or largest pressure [s]", "values"),
-                [(event.what, event.lane, *(
-                    "" if time is None else page.Rounded("", time) for time in
-                    (event.begin, None if event.is_cut else event.end,
-                     event.mark)), event.detail)
-                 for event in sorted(found, key=lambda event: event.begin)])))]
+                        -1)) + ".", "svg")
 
 
 def _rises(scene):

@@ -47,8 +47,12 @@ def sentence(found):
         "nor measures of injury.")
 
 
-def _word(words, value):
-    return next(word for limit, word in words if value < limit)
+def _word(words, entry, value):
+    """What a probability means: published words, or those of thresholds of the
+    user's own, after a colon."""
+    if entry.is_own:
+        return ": " + (entry.meaning(value) or "below all thresholds")
+    return " " + next(word for limit, word in words if value < limit)
 
 
 def _by_the_numerics(entry):
@@ -67,15 +71,17 @@ def disagrees(scene, judged):
     if None in (entry, known) or entry.limits == injury_table.OF_THE_SKIN:
         return False
     bounds = entry.bounds() or (entry.value, entry.value)
-    words = {_word(LIFE, value) for value in (entry.value, *bounds)}
-    return _word(LIFE, known) not in words
+    words = {_word(LIFE, entry, value) for value in (entry.value, *bounds)}
+    return _word(LIFE, entry, known) not in words
 
 
 def _life(scene, judged):
     entry = injury_table.find(judged, "lung_lethality")
     if entry is None:
         return None
-    words = _word(LIFE, entry.value)
+    words = _word(LIFE, entry, entry.value).strip()
+    if entry.is_own:
+        words = f"death by lung injury{words}"
     detail = f"death by lung injury: {entry.shown()}{_by_the_numerics(entry)}"
     kind = injury_table.severity(entry)
     if disagrees(scene, judged):
@@ -113,28 +119,32 @@ def _ears(scene, judged):
         return None
     worst = max(ears, key=lambda entry: entry.value)
     kind, tables = injury_table.severity(worst), _by_the_tables(scene, ears)
-    words = [_word(EARS, entry.value) for entry in ears]
+    words = [_word(EARS, entry, entry.value) for entry in ears]
     if len(ears) > 1 and len(set(words)) > 1:
         sides = [entry.name[len("ear_rupture_"):].split()[0] for entry in ears]
-        parts = [f"{side} eardrum {_singular(word)} ({entry.shown()}"
+        parts = [f"{side} eardrum{_singular(word)} ({entry.shown()}"
                  f"{_by_the_numerics(entry)}{tables})" for side, word, entry
                  in zip(sides, words, ears)]
         return Verdict("eardrums", ", ".join(parts), kind, "", worst)
     figures = {entry.shown() + _by_the_numerics(entry) + tables
                for entry in ears}
-    return Verdict("eardrums", "eardrums " + words[0], kind, " and ".join(
+    return Verdict("eardrums", "eardrums" + words[0], kind, " and ".join(
         sorted(figures)), worst)
 
 
 def _singular(word):
-    """"stay intact" of one eardrum: "stays intact"."""
-    verb = "stay" if word.startswith("stay") else "rupture"
-    return word if word.startswith("may") else word.replace(verb, verb + "s")
+    """" stay intact" of one eardrum: " stays intact"."""
+    verb = "stay" if word.startswith(" stay") else "rupture"
+    return word if word.startswith((" may", ":")) \
+        else word.replace(verb, verb + "s")
 
 
 def _levels(entry, values):
     """Levels of lung injury that velocities have, from the first level of the
     smallest to the last one of the largest: "trace to moderate"."""
+    if entry.is_own:
+        return " to ".join(dict.fromkeys(
+            entry.meaning(value) or NO_LEVEL for value in values))
     meanings = [entry.meaning(value) or NO_LEVEL for value in values]
     words = [NO_LEVEL if meaning == NO_LEVEL else
              "severe" if "lethality" in meaning else
@@ -152,7 +162,9 @@ def _lungs(judged):
     if entry.error is not None:
         bounds = _levels(entry, entry.bounds())
         detail = "" if bounds == here else f"by the numerics {bounds}"
-    words = "no lung injury" if here == NO_LEVEL else f"lung injury {here}"
+    words = "no lung injury" if here == NO_LEVEL else \
+        f"chest wall velocity: {here}" if entry.is_own else \
+        f"lung injury {here}"
     return Verdict("lungs", words, injury_table.severity(entry), detail, entry)
 
 
