@@ -99,11 +99,18 @@ namespace
     {
       const std::string where =
         "Blast/Probes/Points: " + coordinates(probe) + " m ";
+      Point<3> image = probe;
+      image[1] *= -1.;
       if (!domain.point_inside(probe, round_off))
         throw InputError(
           where + "is outside of the domain, from " +
           coordinates(domain.get_boundary_points().first) + " to " +
-          coordinates(domain.get_boundary_points().second) + " m");
+          coordinates(domain.get_boundary_points().second) + " m" +
+          (scene.layout().is_half && domain.point_inside(image, round_off)
+             ? "; by symmetry " + coordinates(image) +
+                 " m has the same values, and Scene/Symmetry = none computes "
+                 "both halves"
+             : ""));
       if (scene.body().surface()->value(probe) < 0.)
         throw InputError(where + "is in the body; Blast/Loads/Gauges are on "
                                  "its skin, Biomechanics/Probes/Points in it");

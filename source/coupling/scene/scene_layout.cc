@@ -209,8 +209,10 @@ void SceneLayout::check_charge(const SceneParameters &scene) const
       std::string(scene.place ? "Charge/Place" : "Charge/Distance") + ": " +
       brief(distance) + " m from the body, " + charge_of + "; with cells of " +
       brief(1e3 * cell) + " mm at the skin its surface must be " + brief(gap) +
-      " m away, its centre at least " + brief(charge_radius + gap) +
-      " m; a finer Scene/Accuracy allows less");
+      " m away, its centre at least " + brief(charge_radius + gap) + " m; a " +
+      (scene.cell_size > 0. ? "smaller Scene/Cell size"
+                            : "finer Scene/Accuracy") +
+      " allows less");
 }
 
 

@@ -151,12 +151,16 @@ namespace
     if (text == usual_afterburn)
       return {};
     const dealii::Patterns::Double allowed(0., bounds::specific_energy);
-    if (!allowed.match(text))
+    const double energy =
+      allowed.match(text) ? dealii::Utilities::string_to_double(text) : -1.;
+    // Less than any fuel has: numbers in MJ/kg are below.
+    constexpr double least = 1e4;
+    if (energy != 0. && energy < least)
       throw InputError("entry \"Charge/Afterburn energy\" cannot be \"" + text +
                        "\"; allowed: " + usual_afterburn +
-                       ", or a number from 0 to " +
-                       brief(bounds::specific_energy) + " [J/kg]");
-    return dealii::Utilities::string_to_double(text);
+                       ", 0 for none, or a number from " + brief(least) +
+                       " to " + brief(bounds::specific_energy) + " [J/kg]");
+    return energy;
   }
 
 
@@ -208,7 +212,7 @@ namespace
                    "Afterburn energy",
                    usual_afterburn,
                    "Energy per mass that the products release by afterburn, at "
-                   "Miller's rate [J/kg, 0 to " +
+                   "Miller's rate [J/kg, 1e4 to " +
                      brief(bounds::specific_energy) +
                      "]; 0: none; by explosive: " + usual_afterburns() + ".");
     declare_double(prm,

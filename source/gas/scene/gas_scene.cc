@@ -2,12 +2,11 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/system/coordinates.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/log.h>
 #include <contrecoup/gas/scene/gas_scene.h>
 #include <contrecoup/gas/scene/scene_places.h>
-
-#include <sstream>
 
 namespace contrecoup::gas
 {
@@ -101,14 +100,28 @@ void GasScene<dim>::require_inside(const dealii::Point<dim> &place,
 {
   const auto &lower = coarse_mesh.lower_corner();
   const auto &upper = coarse_mesh.upper_corner();
-  for (unsigned int d = 0; d < dim && coarse_mesh.is_axis_aligned(); ++d)
-    if (place[d] < lower[d] || place[d] > upper[d])
-    {
-      std::ostringstream message;
-      message << what << ' ' << place << " m is outside of the domain, "
-              << lower << " m to " << upper << " m";
-      throw InputError(message.str());
-    }
+  const auto is_inside = [&](const dealii::Point<dim> &point) {
+    for (unsigned int d = 0; d < dim; ++d)
+      if (point[d] < lower[d] || point[d] > upper[d])
+        return false;
+    return true;
+  };
+  if (!coarse_mesh.is_axis_aligned() || is_inside(place))
+    return;
+  std::string message = what + ' ' + coordinates(place) +
+                        " m is outside of the domain, " + coordinates(lower) +
+                        " m to " + coordinates(upper) + " m";
+  for (unsigned int d = 0; d < dim; ++d)
+  {
+    dealii::Point<dim> image = place;
+    image[d] = 2. * (place[d] < lower[d] ? lower[d] : upper[d]) - place[d];
+    if (is_inside(image) &&
+        boundary.kind(2 * d + (place[d] < lower[d] ? 0 : 1)) ==
+          Boundary<dim>::Kind::wall)
+      message += "; if that wall is a plane of symmetry, " +
+                 coordinates(image) + " m has the same values";
+  }
+  throw InputError(message);
 }
 
 

@@ -65,8 +65,9 @@ namespace
                                  : " (by the feet; the face points elsewhere)";
     if (posture.is_standing)
       remarks.push_back(
-        "the person faces " + direction_name(posture.forward) + ", " +
-        tenths(posture.facing()) + " degrees from +x about z" + source +
+        "before Body/Rotation the person faces " +
+        direction_name(posture.forward) + ", " + tenths(posture.facing()) +
+        " degrees from +x about z" + source +
         "; Body/Surface/Facing sets another angle" +
         (std::abs(posture.facing()) > 2.
            ? ", Body/Surface/Rotation = " + rotation + " turns them to +x"
