@@ -35,8 +35,8 @@ struct SceneLayout
    * @param surface surface of the body
    * @throws InputError for a charge that overlaps the body or the ground or is
    * closer to the skin than the subcells resolve, a body below ground or
-   * thinner than a subcell, a requested symmetry that does not exist, and times and distances that need
-   * more than max_leaves leaves
+   * thinner than a subcell, a requested symmetry that does not exist, and times
+   * and distances that need more than max_leaves leaves
    */
   SceneLayout(const SceneParameters &scene, const Shape &surface);
 
