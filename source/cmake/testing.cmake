@@ -205,6 +205,8 @@ endfunction()
 #                 converge; BOUNDS of what gauge_order() in load_cases.py finds
 #   facet_loads   the samples in loads.h5 have the impulse of the run: BOUNDS of
 #                 the summary and of what facet_loads() in load_cases.py finds
+#   whole_body    a body that y = 0 halves gets the impulse of the whole one:
+#                 BOUNDS of what whole_body() in load_cases.py finds
 #   domain        Domain/Size = by time makes room enough for recorded loads:
 #                 BOUNDS of what domain() in load_cases.py finds
 #   disk, quota   a full disk, a limit to the size of files, when a run that was

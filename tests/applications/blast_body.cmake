@@ -24,6 +24,11 @@ contrecoup_add_application_test(body_loads_on_2 facet_loads FILE ${_cylinder}
     "checks.loads_force_difference < 3.7e-3"
     "checks.loads_sampled_peak_loss < 3.7e-3" "file_difference < 9.7e-4")
 
+# Half a cylinder has the loads of the whole one, and half of its gas.
+contrecoup_add_application_test(body_whole whole_body FILE ${_cylinder}
+  SET ${_loads} BOUNDS "difference < 1.22e-4" "across == 0.0" "part == 0.5"
+    "whole > 0.499999" "whole < 0.500001")
+
 # With smaller leaves at the front than behind, mass, energy and loads are right
 # as well, and the stagnation point gets the load that such leaves everywhere
 # give.

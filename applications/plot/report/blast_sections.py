@@ -259,7 +259,7 @@ def _gauge_table(scene, gauges):
             page.number(1e-3 * measures["peak"]),
             page.number(measures["impulse"]),
             page.at_least(1e3 * measures["positive phase"],
-                          signals.is_cut(time, measures)),
+                          measures["cut off"] > 0.),
             page.number(1e-3 * lowest) if lowest < -1. else "–",
             page.number(1e6 * signals.rise_time(time, gauges[name]), 2)))
     header = ("place", "arrival [ms]", "peak [kPa]", "impulse [Pa s]",

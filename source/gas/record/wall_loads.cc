@@ -3,6 +3,7 @@
 
 #include <contrecoup/base/parameters/bounds.h>
 #include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/system/coordinates.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/timers.h>
 #include <contrecoup/base/system/version.h>
@@ -65,6 +66,8 @@ void WallLoads<dim>::parse_parameters(ParameterHandler &prm,
                                       const GasScene<dim> &scene)
 {
   const auto &mesh = scene.coarse_mesh;
+  to_whole_ = factors_to_whole_body(prm, mesh, scene.body);
+  is_plane_ = dim == 2 && mesh.geometry() == Geometry::plane;
   const Section section(prm, "Loads");
   active_ = prm.get_bool("Record");
   interval_ = read_double(prm, "Interval");
@@ -195,13 +198,11 @@ bool WallLoads<dim>::loses_peaks(const double time, const double step)
     if (after < threshold * peak && std::max(before, now) >= threshold * peak)
       loses = 1.;
   }
-  const double highest =
-    pressures_.empty()
-      ? 0.
-      : *std::max_element(pressures_.begin(), pressures_.end());
-  std::vector<double> largest = {loses, highest};
+  std::vector<double> largest = {loses, totals_.highest};
+  for (const double pressure : pressures_)
+    largest[1] = std::max(largest[1], pressure);
   dealii::Utilities::MPI::max(largest, communicator_, largest);
-  totals_.highest = std::max(totals_.highest, largest[1]);
+  totals_.highest = largest[1];
   return largest[0] > 0.;
 }
 
@@ -376,8 +377,7 @@ void WallLoads<dim>::create_file() const
   for (std::size_t i = 0; i < facets_.n_global(); ++i)
   {
     const double *values = &facets_.geometry()[n_geometry * i];
-    const double area =
-      dealii::Tensor<1, 3>({values[3], values[4], values[5]}).norm();
+    const double area = std::hypot(values[3], values[4], values[5]);
     facets.areas.push_back(area);
     for (unsigned int d = 0; d < 3; ++d)
     {
@@ -389,7 +389,8 @@ void WallLoads<dim>::create_file() const
   io::LoadFile(file_).create(
     facets,
     {{"application", "blast " + version() + " (" + git_revision() + ")"},
-     {"units", dim == 3 ? "m, m^2, s, Pa, Pa s" : "m, m, s, Pa, Pa s"},
+     {"units", is_plane_ ? "m, m, s, Pa, Pa s" : "m, m^2, s, Pa, Pa s"},
+     {"factors_to_whole_body", coordinates(dealii::Point<3>(to_whole_))},
      {"overpressure_samples", "means since the time before"},
      {"gauges", gauges_.description()}});
 }
@@ -430,11 +431,10 @@ template <int dim>
 std::vector<NamedValue> WallLoads<dim>::result_values() const
 {
   std::vector<NamedValue> values;
-  const std::array<const char *, 3> axes = {{"x", "y", "z"}};
   for (unsigned int d = 0; d < dim; ++d)
-    values.push_back({std::string("loads_impulse_") + axes[d],
-                      dim == 3 ? "N s" : "N s/m",
-                      totals_.facet_impulse[d]});
+    values.push_back({std::string("loads_impulse_") + "xyz"[d],
+                      is_plane_ ? "N s/m" : "N s",
+                      0. + to_whole_[d] * totals_.facet_impulse[d]}); // not -0
   for (const NamedValue &value : gauges_.measures(totals_.time))
     values.push_back(value);
   return values;

@@ -59,6 +59,7 @@ void GasSimulation<dim>::parse_parameters(ParameterHandler &prm)
 {
   scene_.parse_parameters(prm);
   core_.parse_parameters(prm);
+  plan_.parse_parameters(prm);
   check_selections(prm, scene_.coarse_mesh, scene_.body);
   recorders_.for_each(
     [&](auto &recorder) { recorder.parse_parameters(prm, scene_); });

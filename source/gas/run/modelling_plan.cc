@@ -117,6 +117,17 @@ std::vector<Assumption> ModellingPlan<dim>::items() const
                       unknown,
                       false,
                       "Method/Skip quiet leaves"});
+  if (n_symmetry_planes > 0)
+    result.push_back({"modelled_part",
+                      n_symmetry_planes == 1   ? "half of the gas"
+                      : n_symmetry_planes == 2 ? "a quarter of the gas"
+                                               : "an eighth of the gas",
+                      "fraction of the whole gas in masses, momenta, energies",
+                      "-",
+                      std::ldexp(1., -static_cast<int>(n_symmetry_planes)),
+                      unknown,
+                      false,
+                      "Boundaries"});
   return result;
 }
 

@@ -4,7 +4,10 @@
 #include <contrecoup/gas/hand_over/profile_extraction.h>
 #include <contrecoup/gas/record/gas_measures.h>
 #include <contrecoup/gas/run/run_plan.h>
+#include <contrecoup/gas/scene/scene_places.h>
 #include <contrecoup/gas/state/leaf_sampling.h>
+
+#include <algorithm>
 
 namespace contrecoup::gas
 {
@@ -44,6 +47,14 @@ double RunPlan<dim>::excess_energy() const
     else if (total.name == "products_mass")
       energy += core_.afterburn().energy_left() * total.value;
   return energy;
+}
+
+
+template <int dim>
+void RunPlan<dim>::parse_parameters(dealii::ParameterHandler &prm)
+{
+  const auto planes = planes_of_symmetry(prm, core_.scene().coarse_mesh);
+  plan_.n_symmetry_planes = std::count(planes.begin(), planes.end(), true);
 }
 
 

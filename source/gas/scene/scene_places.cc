@@ -281,6 +281,26 @@ namespace
     }
     return true;
   }
+
+  /// Whether the body reaches through a side of the domain by more than
+  /// @p depth [m].
+  /// @param tolerance size below which a cut may be missed [m]
+  template <int dim>
+  bool reaches_through(const RigidBody &body,
+                       const CoarseMesh<dim> &mesh,
+                       const unsigned int side,
+                       const double depth,
+                       const double tolerance)
+  {
+    const unsigned int d = side / 2;
+    Box<dim> plane{mesh.lower_corner(), mesh.upper_corner()};
+    (side % 2 == 0 ? plane.upper : plane.lower)[d] =
+      (side % 2 == 0 ? plane.lower : plane.upper)[d];
+    const auto value = [&](const dealii::Point<dim> &x) {
+      return body.value(x);
+    };
+    return find_below(plane, -depth, tolerance, value).place.has_value();
+  }
 } // namespace
 
 
@@ -341,21 +361,58 @@ std::vector<std::string> remarks_on_cuts(ParameterHandler &prm,
     const bool is_axis = side == 0 && mesh.geometry() != Geometry::plane;
     if (is_axis || mesh.is_periodic(d) || prm.get(sides[side]) == "symmetry")
       continue;
-    Box<dim> plane{mesh.lower_corner(), mesh.upper_corner()};
-    (side % 2 == 0 ? plane.upper : plane.lower)[d] =
-      (side % 2 == 0 ? plane.lower : plane.upper)[d];
-    const auto value = [&](const dealii::Point<dim> &x) {
-      return body.value(x);
-    };
-    const bool is_cut =
-      find_below(plane, -cell, plane.radius() / 128., value).place.has_value();
     const bool is_wall = prm.get(sides[side]) == "wall";
-    if (is_cut && !(is_wall && is_symmetric(body, mesh, side, 0.1 * cell)))
+    if (reaches_through(body, mesh, side, cell, 0.5 * cell) &&
+        !(is_wall && is_symmetric(body, mesh, side, 0.1 * cell)))
       lines.push_back("WARNING: the rigid body reaches through side " +
                       sides[side] +
                       " of the domain; what is beyond it is left out");
   }
   return lines;
+}
+
+
+template <int dim>
+std::array<bool, 3> planes_of_symmetry(ParameterHandler &prm,
+                                       const CoarseMesh<dim> &mesh)
+{
+  std::array<bool, 3> planes{};
+  const Section section(prm, "Boundaries");
+  for (unsigned int d = 0; d < dim && mesh.is_axis_aligned(); ++d)
+  {
+    const bool has_axis = d == 0 && mesh.geometry() != Geometry::plane;
+    planes[d] = !has_axis && !mesh.is_periodic(d) &&
+                (prm.get(sides[2 * d]) == "symmetry") !=
+                  (prm.get(sides[2 * d + 1]) == "symmetry");
+  }
+  return planes;
+}
+
+
+template <int dim>
+dealii::Tensor<1, 3> factors_to_whole_body(ParameterHandler &prm,
+                                           const CoarseMesh<dim> &mesh,
+                                           const RigidBody &body)
+{
+  dealii::Tensor<1, 3> factors({1., 1., 1.});
+  if (body.empty() || !mesh.is_axis_aligned())
+    return factors;
+  if (mesh.geometry() != Geometry::plane)
+    factors[0] = 0.;
+  const std::array<bool, 3> planes = planes_of_symmetry(prm, mesh);
+  const double cell = cell_at_body(mesh, body, subcells_of(prm));
+  const Section section(prm, "Boundaries");
+  for (unsigned int d = 0; d < dim; ++d)
+  {
+    const unsigned int side =
+      2 * d + (prm.get(sides[2 * d]) == "symmetry" ? 0 : 1);
+    if (!planes[d] ||
+        !reaches_through(body, mesh, side, 0.1 * cell, 0.5 * cell))
+      continue;
+    factors *= 2.;
+    factors[d] = 0.;
+  }
+  return factors;
 }
 
 
@@ -375,16 +432,20 @@ double largest_charge_extent(ParameterHandler &prm,
 }
 
 
-#define CONTRECOUP_INSTANTIATE(dim)                                  \
-  template double cell_at_body(                                      \
-    const CoarseMesh<dim> &, const RigidBody &, unsigned int);       \
-  template void check_places(ParameterHandler &,                     \
-                             const GasMaterial &,                    \
-                             const CoarseMesh<dim> &,                \
-                             const RigidBody &);                     \
-  template std::vector<std::string> remarks_on_cuts(                 \
-    ParameterHandler &, const CoarseMesh<dim> &, const RigidBody &); \
-  template double largest_charge_extent(                             \
+#define CONTRECOUP_INSTANTIATE(dim)                                         \
+  template double cell_at_body(                                             \
+    const CoarseMesh<dim> &, const RigidBody &, unsigned int);              \
+  template void check_places(ParameterHandler &,                            \
+                             const GasMaterial &,                           \
+                             const CoarseMesh<dim> &,                       \
+                             const RigidBody &);                            \
+  template std::array<bool, 3> planes_of_symmetry(ParameterHandler &,       \
+                                                  const CoarseMesh<dim> &); \
+  template dealii::Tensor<1, 3> factors_to_whole_body(                      \
+    ParameterHandler &, const CoarseMesh<dim> &, const RigidBody &);        \
+  template std::vector<std::string> remarks_on_cuts(                        \
+    ParameterHandler &, const CoarseMesh<dim> &, const RigidBody &);        \
+  template double largest_charge_extent(                                    \
     ParameterHandler &, const GasMaterial &, const CoarseMesh<dim> &)
 
 CONTRECOUP_INSTANTIATE(1);

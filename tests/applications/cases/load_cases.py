@@ -157,8 +157,8 @@ def domain(case, check_bound, read_summary):
 
 def facet_loads(case, check_bound, read_summary):
     """The samples in loads.h5 push the body as hard as the summary says: bounds
-    of the relative "file_difference" of their impulse, taken with the areas and
-    normals of the file, and of what the summary has."""
+    of the relative "file_difference" of their impulse, taken with the areas,
+    normals and factors of the file, and of what the summary has."""
     import h5py
     output = case.folder("run")
     case.run(output)
@@ -166,8 +166,10 @@ def facet_loads(case, check_bound, read_summary):
     with h5py.File(os.path.join(output, "loads.h5")) as file:
         times, samples = list(file["time"]), file["overpressure"][:]
         areas, normals = file["area"][:], file["normal"][:]
+        words = file.attrs["factors_to_whole_body"].decode()
     steps = [end - begin for begin, end in zip([0.] + times, times)]
-    found = -(samples @ steps * areas) @ normals
+    found = -(samples @ steps * areas) @ normals * [
+        float(word) for word in words.split(",")]
     told = [values_of(summary, "results").get("loads_impulse_" + axis, 0.)
             for axis in "xyz"]
     summary["file_difference"] = math.dist(found, told) / math.hypot(*told)
@@ -175,5 +177,32 @@ def facet_loads(case, check_bound, read_summary):
         check_bound(summary, bound)
 
 
+def whole_body(case, check_bound, read_summary):
+    """Impulses of a body that a plane of symmetry y = 0 halves are those of the
+    whole one: bounds of the relative "difference" from a run without the
+    plane, of the impulse "across" the plane, and of the fractions of the gas
+    in "part" and "whole"."""
+    halves = case.folder("half")
+    case.run(halves)
+    lower, upper, leaves = read_domain(halves)
+    whole = case.folder("whole")
+    lower[1], leaves[1] = -upper[1], 2. * leaves[1]
+    texts = [", ".join(f"{value:.15g}" for value in values)
+             for values in (lower, leaves)]
+    case.run(whole, extra=["--set", f"Domain/Lower corner={texts[0]}",
+                           "--set", f"Domain/Coarse leaves={texts[1]}",
+                           "--set", "Boundaries/y low=open"])
+    one, two = (read_summary(output) for output in (halves, whole))
+    impulses = [[values_of(summary, "results").get("loads_impulse_" + axis, 0.)
+                 for axis in "xyz"] for summary in (one, two)]
+    found = {"difference": math.dist(*impulses) / math.hypot(*impulses[1]),
+             "across": abs(impulses[0][1]),
+             "part": one["assumptions"]["modelled_part"]["measured"],
+             "whole": one["conservation"]["mass_first"]
+             / two["conservation"]["mass_first"]}
+    for bound in case.options.bound:
+        check_bound(found, bound)
+
+
 KINDS = {kind.__name__: kind
-         for kind in (arrival, gauge_order, domain, facet_loads)}
+         for kind in (arrival, gauge_order, domain, facet_loads, whole_body)}

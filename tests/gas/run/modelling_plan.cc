@@ -114,6 +114,17 @@ TEST(ModellingPlan, EstimatesTheQuietPart)
   EXPECT_GT(value(plan.plan(), "quiet_leaves"), 0.95);
 }
 
+TEST(ModellingPlan, SaysWhatFractionOfTheGasSumsAreOf)
+{
+  ModellingPlan<2> plan = quarter();
+  EXPECT_TRUE(std::isnan(value(plan.plan(), "modelled_part")));
+  plan.n_symmetry_planes = 2;
+  EXPECT_EQ(value(plan.plan(), "modelled_part"), 0.25);
+  ModellingPlan<2>::Measurements measured;
+  measured.side_arrivals.fill(OpenSides<2>::never);
+  EXPECT_EQ(value(plan.audit(measured), "modelled_part"), 0.25);
+}
+
 // The nearest side that is no plane through the charge is x = 3.
 TEST(ModellingPlan, KnowsHowLongOneDimensionWouldDo)
 {

@@ -15,7 +15,8 @@ namespace contrecoup::gas
  * arrives at the first facet; the first sample is the mean over all time
  * before.
  *
- * The audit compares force and impulse of all facets with the force that the
+ * Facets are those of the modelled part of the body; the audit compares their
+ * force and impulse with the force that the
  * scheme exerts on the gas. In the staircase treatment a facet takes one
  * pressure for all faces of its cell together, so that the two differ by some
  * per cent.
@@ -59,7 +60,8 @@ public:
                          const unsigned int index,
                          const double time) const;
 
-  /// Impulses on the body and the measures of the gauges.
+  /// Impulses on the whole body, see factors_to_whole_body(), and the measures
+  /// of the gauges.
   std::vector<NamedValue>
   results(const GasSnapshot<dim> & /*gas*/) const override
   {
@@ -137,6 +139,9 @@ private:
   double largest_loss_ = 1.; ///< fraction of a peak that samples may lose [-]
   double smallest_ = 0.;     ///< arrival overpressure over ambient [-]
   double ambient_ = 0.;      ///< [Pa]
+  /// See factors_to_whole_body().
+  dealii::Tensor<1, 3> to_whole_;
+  bool is_plane_ = false; ///< whether impulses are per length of a 2-D body
   std::string file_;
   MPI_Comm communicator_ = MPI_COMM_SELF;
 

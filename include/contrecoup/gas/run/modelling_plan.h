@@ -27,6 +27,8 @@ namespace contrecoup::gas
  *   viscosity,        their boundary layers at the end are thinner than the
  *   heat_conduction   smallest subcell
  *   quiet_leaves      fraction of the updates that is skipped
+ *   modelled_part     fraction of the whole that planes of symmetry leave, and
+ *                     that sums of the gas are of
  */
 template <int dim>
 class ModellingPlan
@@ -44,6 +46,7 @@ public:
   double end_time = 0.;         ///< [s]
   double smallest_subcell = 0.; ///< edge [m]
   bool skips_quiet_leaves = true;
+  unsigned int n_symmetry_planes = 0;
   /// Largest difference between the pressure of products and that of an ideal
   /// gas with the same density, energy and Grueneisen coefficient, over the
   /// pressure [-]; NaN without products.

@@ -20,6 +20,9 @@ public:
     : core_(core)
   {}
 
+  /// Reads the planes of symmetry from subsection "Boundaries".
+  void parse_parameters(dealii::ParameterHandler &prm);
+
   /// Sets a blast that the initial state does not (or no longer) show.
   /// @param energy in full space [J]
   /// @param non_ideal_fraction see ModellingPlan

@@ -7,6 +7,9 @@
 #include <contrecoup/geometry/mesh/coarse_mesh.h>
 #include <contrecoup/materials/gas_material.h>
 
+#include <deal.II/base/tensor.h>
+
+#include <array>
 #include <string>
 #include <vector>
 
@@ -47,6 +50,25 @@ template <int dim>
 std::vector<std::string> remarks_on_cuts(ParameterHandler &prm,
                                          const CoarseMesh<dim> &mesh,
                                          const RigidBody &body);
+
+/// Directions normal to planes of symmetry: those of which one side of a box is
+/// "symmetry". The axis of curvilinear coordinates is none.
+template <int dim>
+std::array<bool, 3> planes_of_symmetry(ParameterHandler &prm,
+                                       const CoarseMesh<dim> &mesh);
+
+/**
+ * Factors by which the components of the force on the modelled part of the body
+ * become those on the whole body: two for each plane of symmetry that cuts the
+ * body, and zero normal to it, as the images cancel it. So does the radial one
+ * of an axisymmetric domain. Sides that are "wall" reflect nothing but the gas.
+ *
+ * @param body may be empty
+ */
+template <int dim>
+dealii::Tensor<1, 3> factors_to_whole_body(ParameterHandler &prm,
+                                           const CoarseMesh<dim> &mesh,
+                                           const RigidBody &body);
 
 /// Largest distance from the centre of a charge to its surface along the
 /// coordinates of the mesh [m]; 0 without charges.
