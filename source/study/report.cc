@@ -130,23 +130,37 @@ namespace
     out << '\n' << rule << '\n';
     const auto add_row = [&](const std::vector<std::string> &labels,
                              const std::vector<double> &values,
+                             const std::vector<bool> &limits,
                              const std::string &outcome) {
       out << '|';
       for (const std::string &label : labels)
         out << ' ' << cell(label) << " |";
       for (std::size_t i = 0; i < result.columns.size(); ++i)
-        out << ' ' << (i < values.size() ? number_text(values[i], 4) : outcome)
+        out << ' ' << (i < limits.size() && limits[i] ? "≥ " : "")
+            << (i < values.size() ? number_text(values[i], 4) : outcome)
             << " |";
       out << '\n';
     };
     for (const ResultRow &row : result.rows)
-      add_row(row.variant.labels, row.columns, row.outcome.kind);
+      add_row(
+        row.variant.labels, row.columns, row.lower_limits, row.outcome.kind);
     std::vector<std::string> labels(parameters.factors.size());
     if (!labels.empty())
       labels.front() = "reference run";
     if (!result.reference_columns.empty())
-      add_row(labels, result.reference_columns, "");
+      add_row(labels, result.reference_columns, {}, "");
     return out.str();
+  }
+
+  /// Addresses of the columns of which a row has lower limits.
+  std::vector<std::string> limits_of(const ResultRow &row,
+                                     const StudyResult &result)
+  {
+    std::vector<std::string> addresses;
+    for (std::size_t i = 0; i < row.lower_limits.size(); ++i)
+      if (row.lower_limits[i])
+        addresses.push_back(result.columns[i].address);
+    return addresses;
   }
 
   /// List of runs that did not finish, with reasons.
@@ -168,7 +182,7 @@ std::string to_csv(const StudyParameters &parameters, const StudyResult &result)
     out << quoted(factor.name) << ',';
   out << "outcome,reason,exit code,cells,unknowns,steps,retries,"
          "wall [s],core [s],updates,memory [byte],error,order,"
-         "pareto front,";
+         "pareto front,lower limits,";
   for (const Column &column : result.columns)
     out << quoted(column.address +
                   (column.unit.empty() ? "" : " [" + column.unit + "]"))
@@ -193,7 +207,11 @@ std::string to_csv(const StudyParameters &parameters, const StudyResult &result)
                                row.order})
       out << ',' << csv_number(value);
     const bool has_errors = parameters.error.is_active();
-    out << ',' << (!has_errors ? "" : row.on_front ? "yes" : "no") << ',';
+    out << ','
+        << (!has_errors    ? ""
+            : row.on_front ? "yes"
+                           : "no")
+        << ',' << quoted(join(limits_of(row, result), "; ")) << ',';
     for (std::size_t i = 0; i < result.columns.size(); ++i)
       out << (i < row.columns.size() ? csv_number(row.columns[i]) : "") << ',';
     out << quoted(row.folder) << '\n';
@@ -231,6 +249,9 @@ std::string to_markdown(const StudyParameters &parameters,
   out << "\n\n" << markdown_table(parameters, result);
   if (!result.columns.empty())
     out << '\n' << further_table(parameters, result);
+  if (result.n_cut_off() > 0)
+    out << "\n≥: a lower limit, as the run ends before the positive phase "
+           "does.\n";
   const std::string failed = failures(result);
   if (!failed.empty())
     out << "\nNot finished, " << result.n_unfinished() << " of "
@@ -270,6 +291,7 @@ std::string to_json(const StudyParameters &parameters,
                     {"error", json_number(row.error)},
                     {"order", json_number(row.order)},
                     {"columns", json_numbers(row.columns)},
+                    {"lower_limits", row.lower_limits},
                     {"front", row.on_front}});
   }
   const Json json = {

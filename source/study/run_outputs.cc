@@ -133,6 +133,20 @@ RunOutputs::RunOutputs(const std::string &folder)
   std::sort(stages.begin(), stages.end());
   for (const std::string &stage : stages)
     add_files(folder, stage + "/");
+  mark_lower_limits();
+}
+
+void RunOutputs::mark_lower_limits()
+{
+  for (const auto &[address, output] : values_)
+    for (const std::string flag : {"cut_off", "cut off"})
+      if (output.value == 1. && ends_with(address, flag))
+        for (const char *const name :
+             {"impulse", "duration", "positive_phase", "positive phase"})
+          if (const auto found = values_.find(
+                address.substr(0, address.size() - flag.size()) + name);
+              found != values_.end())
+            found->second.is_lower_limit = true;
 }
 
 void RunOutputs::add_files(const std::string &folder,
@@ -174,7 +188,7 @@ void RunOutputs::add(const std::string &address,
                      const std::string &unit)
 {
   // Of rows with the same name, the first counts.
-  if (values_.emplace(address, RunOutput{value, unit == "-" ? "" : unit})
+  if (values_.emplace(address, RunOutput{value, unit == "-" ? "" : unit, false})
         .second)
     names_.push_back(address);
 }

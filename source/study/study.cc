@@ -338,6 +338,11 @@ void Study::write_results(const std::string &status, const double seconds)
   write_outputs();
   const StudyResult result =
     evaluate(parameters_, variants, status == "finished");
+  if (status == "finished" && result.n_cut_off() > 0)
+    log_line("WARNING: " + std::to_string(result.n_cut_off()) + " of " +
+             std::to_string(result.rows.size()) +
+             " runs end before the positive phase does: what study.md marks "
+             "with ≥ is a lower limit; a later end time gives all of it");
   write_text(path("study.csv"), to_csv(parameters_, result));
   write_text(path("study.md"), to_markdown(parameters_, result));
   write_text(path(marker), to_json(parameters_, result));

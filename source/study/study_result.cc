@@ -160,6 +160,19 @@ namespace
     return values;
   }
 
+  /// Columns of which a run has lower limits.
+  std::vector<bool> lower_limits_of(const std::vector<Column> &columns,
+                                    const RunOutputs &outputs)
+  {
+    const auto &names = outputs.names();
+    std::vector<bool> limits;
+    for (const Column &column : columns)
+      limits.push_back(std::find(names.begin(), names.end(), column.address) !=
+                         names.end() &&
+                       outputs.at(column.address).is_lower_limit);
+    return limits;
+  }
+
   ResultRow make_row(const StudyParameters &parameters, const Task &task)
   {
     ResultRow row;
@@ -205,7 +218,10 @@ namespace
       find_columns(parameters.columns, runs, is_complete, factors);
     for (ResultRow &row : result.rows)
       if (const auto found = outputs.find(&row); found != outputs.end())
+      {
         row.columns = values_of(result.columns, found->second);
+        row.lower_limits = lower_limits_of(result.columns, found->second);
+      }
     if (reference)
       result.reference_columns = values_of(result.columns, *reference);
   }
@@ -216,6 +232,15 @@ std::size_t StudyResult::n_unfinished() const
   return static_cast<std::size_t>(
     std::count_if(rows.begin(), rows.end(), [](const ResultRow &row) {
       return !row.outcome.is_usable();
+    }));
+}
+
+std::size_t StudyResult::n_cut_off() const
+{
+  return static_cast<std::size_t>(
+    std::count_if(rows.begin(), rows.end(), [](const ResultRow &row) {
+      return std::count(
+               row.lower_limits.begin(), row.lower_limits.end(), true) > 0;
     }));
 }
 

@@ -51,6 +51,19 @@ class StudyPicturesTest(unittest.TestCase):
             self.assertEqual(draw(found, self.folder), save.called)
             return save.call_args[0][0] if save.called else None
 
+    def test_lower_limits(self):
+        """What the end of a run cuts off has an arrow, in curves and charts."""
+        cut = study()
+        cut["rows"][4]["lower_limits"] = [True, False]
+        axis, = self.drawn(study_curves.draw_curves, cut).axes
+        arrows = axis.lines[-1]
+        self.assertEqual((list(arrows.get_xdata()), list(arrows.get_ydata())),
+                         ([2.], [2e2 / 4. * 1.]))
+        self.assertIn("cut off", axis.get_title(loc="left"))
+        axis, = self.drawn(study_curves.draw_chart, cut).axes
+        self.assertEqual([text.xy for text in axis.texts
+                          if text.get_text() == "↑"], [(2., 1.)])
+
     def test_curves(self):
         """A line for each mass, gaps where a run failed, units at the axes."""
         figure = self.drawn(study_curves.draw_curves, study(missing=[1]))

@@ -187,9 +187,9 @@ def write_measures(folder, gauges, factor=1., slowness=0.):
              for name, (x, *_) in gauges.items()}
     write(os.path.join(folder, "gauge_measures.csv"),
           "place,arrival [s],peak [Pa],peak time [s],impulse [Pa s],positive "
-          "phase [s]\n" + "".join(
+          "phase [s],cut off [-]\n" + "".join(
               f"{name},{begin[name]!r},{factor * peak!r},{begin[name]!r},"
-              f"{0.38e-3 * peak!r},0.001\n"
+              f"{0.38e-3 * peak!r},0.001,0\n"
               for name, (*_, peak) in gauges.items()))
 
 

@@ -72,6 +72,28 @@ protected:
 };
 } // namespace
 
+// Of a positive phase that the run cuts off, in a summary and in a table.
+TEST_F(SceneFolder, MarksLowerLimits)
+{
+  write("blast/summary.json", R"({"results": {
+    "probe_1_impulse": {"value": 3, "unit": "Pa s"},
+    "probe_1_peak": {"value": 4, "unit": "Pa"},
+    "probe_1_cut_off": {"value": 1, "unit": "-"},
+    "probe_2_impulse": {"value": 3, "unit": "Pa s"}}})");
+  write("blast/gauge_measures.csv",
+        "place,impulse [Pa s],positive phase [s],cut off [-]\n"
+        "chest,1,2,1\nback,1,2,0\n");
+  const RunOutputs outputs(folder_.path());
+  for (const char *limit : {"blast/results.probe_1_impulse",
+                            "blast/gauge_measures.csv:chest:impulse",
+                            "blast/gauge_measures.csv:chest:positive phase"})
+    EXPECT_TRUE(outputs.at(limit).is_lower_limit) << limit;
+  for (const char *other : {"blast/results.probe_1_peak",
+                            "blast/results.probe_2_impulse",
+                            "blast/gauge_measures.csv:back:impulse"})
+    EXPECT_FALSE(outputs.at(other).is_lower_limit) << other;
+}
+
 TEST_F(SceneFolder, HasOutputsOfAllStagesAndFiles)
 {
   const RunOutputs outputs(folder_.path());

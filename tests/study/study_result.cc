@@ -143,6 +143,30 @@ TEST_F(FinishedStudy, TakesSizesOfCellsForMeshWidths)
   EXPECT_NEAR(result.rows[5].order, 1., 1e-12);
 }
 
+TEST_F(FinishedStudy, MarksWhatTheEndOfARunCutsOff)
+{
+  read({"Study/Columns=results.probe_1_impulse"});
+  for (Task &task : tasks_)
+    std::ofstream(task.run_folder() + "/summary.json") << nlohmann::json{
+      {"errors", {{"density_L1", 1.}}},
+      {"results",
+       {{"probe_1_impulse", {{"value", 64.5}, {"unit", "Pa s"}}},
+        {"probe_1_cut_off",
+         {{"value", &task == &tasks_[1] ? 1 : 0}, {"unit", "-"}}}}}};
+  const StudyResult result = evaluate(parameters_, tasks_);
+  EXPECT_EQ(result.n_cut_off(), 1u);
+  const std::string text = to_markdown(parameters_, result);
+  EXPECT_NE(text.find("| ≥ 64.5 |"), std::string::npos) << text;
+  EXPECT_NE(text.find("| 64.5 |"), std::string::npos) << text;
+  EXPECT_NE(text.find("≥: a lower limit"), std::string::npos) << text;
+  EXPECT_NE(
+    to_csv(parameters_, result).find(",\"results.probe_1_impulse\",64.5,"),
+    std::string::npos);
+  const auto json = nlohmann::json::parse(to_json(parameters_, result));
+  EXPECT_TRUE(json["rows"][1]["lower_limits"][0].get<bool>());
+  EXPECT_FALSE(json["rows"][0]["lower_limits"][0].get<bool>());
+}
+
 TEST_F(FinishedStudy, ShowsFurtherNumbersOfRunsAndReference)
 {
   read({"Study/Columns=value; errors.none if any",

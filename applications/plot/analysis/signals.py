@@ -33,13 +33,6 @@ def arrival(time, values, part=ARRIVED):
     return float(growth @ times / growth.sum())
 
 
-def is_cut(time, measures):
-    """Whether the positive phase of a row of gauge_measures.csv lasts until the
-    end of the run."""
-    return measures["arrival"] + measures["positive phase"] \
-        >= time[-1] * (1. - 1e-9)
-
-
 def rise_time(time, values):
     """From a tenth to nine tenths of the first peak that has half of the
     largest value at least [s]."""

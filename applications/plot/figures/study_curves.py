@@ -132,7 +132,13 @@ def _draw_curves_of(study, across, columns, folder, name):
     work_precision.save(figure, folder, name)
 
 
+def is_lower_limit(row, column):
+    """Whether the run cut this output off."""
+    return bool(row.get("lower_limits")) and row["lower_limits"][column]
+
+
 def draw_curve(axis, study, across, column, lines):
+    """An output over a factor; arrows upwards where it is a lower limit."""
     found = [value(row, column) for row in study["rows"]]
     found = [number for number in found if number is not None]
     scale, unit = style.scale_unit(study["columns"][column]["unit"] or "-",
@@ -145,6 +151,13 @@ def draw_curve(axis, study, across, column, lines):
                   color=style.COLOURS[number % len(style.COLOURS)],
                   marker=work_precision.MARKERS[
                       number % len(work_precision.MARKERS)])
+    limits = [row for row in study["rows"] if is_lower_limit(row, column)]
+    if limits:
+        axis.plot([row["numbers"][across] for row in limits],
+                  [value(row, column) * scale for row in limits],
+                  linestyle="", marker=r"$\uparrow$", markersize=14,
+                  color="black", zorder=3)
+        axis.set_title("↑ cut off by the end of the run", fontsize=8)
     reference = study["reference_columns"]
     if reference and reference[column] is not None:
         axis.axhline(reference[column] * scale, color=style.GREY,
@@ -190,6 +203,11 @@ def _draw_chart_of(study, factors, places, columns, folder, name):
                 grid[y.index(row["numbers"][upwards]),
                      x.index(row["numbers"][across])] = value(row, column)
         draw_contours(figure, axis, study["columns"][column], x, y, grid)
+        for row in study["rows"]:
+            if is_lower_limit(row, column):
+                place = row["numbers"][across], row["numbers"][upwards]
+                axis.annotate("↑", place, (0, 2), ha="center", fontsize=9,
+                              textcoords="offset points")
         label_x(axis, study["factors"][across], x)
         axis.set_ylabel(factor_label(study["factors"][upwards]))
         if spans(y, LOGARITHMIC_X):

@@ -17,7 +17,8 @@ COARSER = "coarser run of "
 EXPLOSIVES = ("tnt", "tnt dobratz", "c-4", "composition b", "petn 1.77",
               "petn 1.50", "anfo", "pentolite")
 # Columns of gauge_measures.csv, without units.
-GAUGE_MEASURES = ("arrival", "peak", "peak time", "impulse", "positive phase")
+GAUGE_MEASURES = ("arrival", "peak", "peak time", "impulse", "positive phase",
+                  "cut off")
 
 
 class Scene:

@@ -5,7 +5,7 @@ what could change it, and the warnings of the runs."""
 
 import re
 
-from plot.analysis import person, signals
+from plot.analysis import person
 from plot.readers import files
 from plot.readers.scene import COARSER
 from plot.report import (injury_table, load_impulses, page, reflections,
@@ -202,9 +202,9 @@ def _certainty(scene, judged):
              "the load on their skin, an upper limit."] \
         if injury_table.lungs_by(scene) == "skin" else []
     parts += _tables(scene, judged) + _verdicts(scene, judged)
-    parts += _afterburn(scene)
+    parts += _afterburn(scene) + _model_bias(scene)
     parts += _loads(scene) + EnergyAudit(scene).reservations() + _limits(scene)
-    parts += _cut_phases(scene) + _unused_thresholds(scene, judged)
+    parts += _unused_thresholds(scene, judged)
     if any(entry.name == "injury_strain_95" for entry in judged):
         parts.append(
             "No limit of brain pressure or strain is agreed on for blast: the "
@@ -318,6 +318,18 @@ def _afterburn(scene):
     return [text + "."]
 
 
+def _model_bias(scene):
+    """What the model itself adds to the differences from the tables."""
+    rows = {row.get("item"): row for row in scene.list_of("plan")}
+    parts = [f"{'a peak' if name == 'peak' else 'an impulse'} "
+             f"{page.percent(abs(bias), 2)} {'below' if bias < 0. else 'above'}"
+             for name in ("peak", "impulse")
+             if (bias := _fraction(rows.get(f"model_bias_{name}"))) is not None]
+    return [f"In fine cells, too, the model gives this explosive "
+            f"{page.joined(parts)} the tables in free air at this distance."] \
+        if parts else []
+
+
 def _fraction(row):
     """The estimate of a row of the plan, or None."""
     try:
@@ -346,17 +358,3 @@ def _limits(scene):
               if row.get("holds") is False and row.get("limit")]
     return ["Beyond " + ("their limits" if len(failed) > 1 else "its limit")
             + ": " + "; ".join(failed) + "."] if failed else []
-
-
-def _cut_phases(scene):
-    """Places whose positive phase goes on at the end of the run."""
-    gauges = scene.blast.table("load_gauges.csv")
-    if gauges is None:
-        return []
-    cut = [name for name, measures in scene.gauge_measures().items()
-           if name in gauges and measures["peak"] > 0.
-           and signals.is_cut(gauges["time"], measures)]
-    if not cut:
-        return []
-    return ["The run ends before the positive phase does at "
-            + page.joined(cut) + ": the impulse there is a lower limit."]

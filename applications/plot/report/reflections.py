@@ -14,11 +14,7 @@ def reflectors(scene):
 def note(scene):
     """What reflections and the end of the run do to the wave at the first probe,
     as sentences."""
-    arrival, duration = (scene.blast.found("results", "probe_1_" + name)
-                         for name in ("arrival", "duration"))
-    end = scene.fact("end_time")
-    is_cut = None not in (arrival, duration, end) and (
-        arrival + duration > (1. - 1e-3) * end)
+    is_cut = scene.blast.found("results", "probe_1_cut_off")
     return _reflections(scene) + (
         " The run ends before the positive phase does: its impulse, duration "
         "and load on the lung are lower limits." if is_cut else "")

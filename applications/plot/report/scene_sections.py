@@ -271,7 +271,7 @@ def _skin_events(scene):
             None if second is None else float(time[second]),
             f"peak {page.quantity(measures['peak'], 'Pa')}, impulse "
             + page.quantity(measures["impulse"], "Pa s")))
-        found[-1].is_cut = signals.is_cut(time, measures)
+        found[-1].is_cut = measures["cut off"] > 0.
     return sorted(found, key=lambda event: event.begin)
 
 

@@ -26,6 +26,8 @@ struct ResultRow
   bool on_front = false;  ///< Pareto front of cost and error
   /// Values of StudyResult::columns; NaN where the run has none.
   std::vector<double> columns;
+  /// Columns that are lower limits, as the run cuts a positive phase off.
+  std::vector<bool> lower_limits;
 };
 
 /// Results of a study.
@@ -42,6 +44,8 @@ struct StudyResult
 
   /// Number of runs that did not finish.
   std::size_t n_unfinished() const;
+  /// Number of runs of which a column is a lower limit.
+  std::size_t n_cut_off() const;
 };
 
 /**

@@ -224,17 +224,45 @@ std::array<double, 5> air_injury_values(const AirBlast &air,
 }
 
 
-std::string gauge_measures_table(const std::vector<GaugeBlast> &gauges)
+bool is_cut_off(const BlastMeasures &blast, const double time)
+{
+  const double round_off = 1e-9 * time;
+  return blast.peak > 0. && blast.arrival + blast.duration >= time - round_off;
+}
+
+
+std::string warn_of_cut_off(const std::vector<std::string> &places,
+                            const std::size_t n_all,
+                            const std::string &kind)
+{
+  if (places.empty())
+    return "";
+  constexpr std::size_t most = 4;
+  const std::size_t n = places.size();
+  const std::string listed =
+    n == n_all && n > 1 ? "all " + std::to_string(n) + " " + kind
+    : n > most ? std::to_string(n) + " of " + std::to_string(n_all) + " " +
+                   kind + ", as " + places.front()
+               : join(places, ", ");
+  return "WARNING: the run ends before the positive phase does at " + listed +
+         ": impulse and duration there are lower limits; a later Time/End "
+         "time gives all of them";
+}
+
+
+std::string gauge_measures_table(const std::vector<GaugeBlast> &gauges,
+                                 const double time)
 {
   std::string text = "place,arrival [s],peak [Pa],peak time [s],impulse [Pa "
-                     "s],positive phase [s]\n";
+                     "s],positive phase [s],cut off [-]\n";
   for (const GaugeBlast &gauge : gauges)
     text += join({gauge.place,
                   exact(gauge.blast.arrival),
                   exact(gauge.blast.peak),
                   exact(gauge.peak_time),
                   exact(gauge.blast.impulse),
-                  exact(gauge.blast.duration)},
+                  exact(gauge.blast.duration),
+                  is_cut_off(gauge.blast, time) ? "1" : "0"},
                  ",") +
             "\n";
   return text;

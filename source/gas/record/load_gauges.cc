@@ -6,6 +6,7 @@
 #include <contrecoup/base/parameters/selecting.h>
 #include <contrecoup/base/system/coordinates.h>
 #include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/log.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/gas/record/gauge_tables.h>
 #include <contrecoup/gas/record/load_gauges.h>
@@ -28,7 +29,6 @@ namespace
 
   constexpr const char *histories = "/load_gauges.csv";
 
-  /// A point in the syntax of parameter entries.
   /// A gauge "name: x, y, z".
   template <int dim>
   Landmark read_place(const std::string &text)
@@ -295,8 +295,14 @@ void LoadGauges::write_tables(const double time) const
                       records_[i].peak_time,
                       table.column(places_[i].name, file)});
   io::write_file(folder_ + "/gauge_measures.csv", [&](std::ostream &out) {
-    out << gauge_measures_table(gauges);
+    out << gauge_measures_table(gauges, time);
   });
+  std::vector<std::string> cut;
+  for (const GaugeBlast &gauge : gauges)
+    if (is_cut_off(gauge.blast, time))
+      cut.push_back(gauge.place);
+  if (!cut.empty())
+    log_line(warn_of_cut_off(cut, gauges.size(), "gauges"));
   const std::string injuries = gauge_injury_table(gauges, times, body_mass_);
   if (!injuries.empty())
     io::write_file(folder_ + "/gauge_injury.csv",
@@ -341,6 +347,8 @@ std::vector<NamedValue> LoadGauges::measures(const double time) const
     values.push_back({name + "arrival", "s", blast.arrival});
     values.push_back({name + "impulse", "Pa s", blast.impulse});
     values.push_back({name + "positive_phase", "s", blast.duration});
+    if (is_cut_off(blast, time))
+      values.push_back({name + "cut_off", "-", 1.});
   }
   return values;
 }
@@ -366,7 +374,7 @@ std::vector<std::string> LoadGauges::table(const double time) const
          << brief(1e3 * blast.arrival) << std::setw(12)
          << brief(1e-3 * blast.peak) << std::setw(9)
          << brief(1e3 * records_[i].peak_time) << std::setw(16)
-         << brief(blast.impulse);
+         << (is_cut_off(blast, time) ? ">= " : "") + brief(blast.impulse);
     lines.push_back(line.str());
   }
   return lines;

@@ -4,6 +4,7 @@
 #include <contrecoup/base/parameters/parameters.h>
 #include <contrecoup/base/parameters/selecting.h>
 #include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/log.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/gas/record/blast_maps.h>
 #include <contrecoup/gas/record/gauge_tables.h>
@@ -11,6 +12,7 @@
 #include <contrecoup/io/file/checked_file.h>
 
 #include <iomanip>
+#include <limits>
 #include <sstream>
 
 namespace contrecoup::gas
@@ -20,6 +22,22 @@ namespace
   std::string probe_name(const std::size_t i, const std::string &quantity)
   {
     return "probe_" + std::to_string(i + 1) + "_" + quantity;
+  }
+
+  /// Whether a quantity of map_quantities is a lower limit where the end of the
+  /// run cuts the positive phase off.
+  bool ends_with_phase(const std::size_t quantity)
+  {
+    const std::string &name = map_quantities[quantity].first;
+    return name == "impulse" || name == "duration";
+  }
+
+  std::string difference(const double computed, const double exact)
+  {
+    std::ostringstream text;
+    text << std::showpos << std::fixed << std::setprecision(1)
+         << 100. * (computed / exact - 1.) << " %";
+    return text.str();
   }
 } // namespace
 
@@ -155,6 +173,8 @@ ProbeSet<dim>::measures(const ReferenceSolution<dim> &reference) const
     const auto numbers = recorded_map_values(found[i]);
     for (std::size_t k = 0; k < numbers.size(); ++k)
       add("", k, numbers[k]);
+    if (is_cut_off(found[i], last_time_))
+      values.push_back({probe_name(i, "cut_off"), "-", 1.});
     if (!reference.has_arrivals())
       continue;
     const auto exact = map_values(reference.arrival(places()[i]));
@@ -176,13 +196,17 @@ std::vector<NamedValue> ProbeSet<dim>::errors(const GasSnapshot<dim> &gas) const
   const auto found = blasts();
   for (std::size_t i = 0; i < found.size(); ++i)
   {
-    const auto computed = recorded_map_values(found[i]);
+    auto computed = recorded_map_values(found[i]);
     const auto exact = map_values(reference.arrival(places()[i]));
     for (std::size_t k = 0; k < exact.size(); ++k)
       if (exact[k] != 0.)
+      {
+        if (is_cut_off(found[i], last_time_) && ends_with_phase(k))
+          computed[k] = std::numeric_limits<double>::quiet_NaN();
         values.push_back({probe_name(i, map_quantities[k].first + "_relative"),
                           "-",
                           computed[k] / exact[k] - 1.});
+      }
   }
   return values;
 }
@@ -209,15 +233,15 @@ ProbeSet<dim>::report(const GasSnapshot<dim> &gas) const
     const auto exact = map_values(reference.arrival(places()[i]));
     for (std::size_t k = 0; k < exact.size(); ++k)
     {
-      std::ostringstream text;
-      text << brief(computed[k] * factors[k]) << " / ";
-      if (exact[k] == 0.)
-        text << "unknown";
-      else
-        text << brief(exact[k] * factors[k]) << " (" << std::showpos
-             << std::fixed << std::setprecision(1)
-             << 100. * (computed[k] / exact[k] - 1.) << " %)";
-      line << std::setw(26) << text.str() << ' ';
+      const bool is_cut =
+        ends_with_phase(k) && is_cut_off(found[i], last_time_);
+      const std::string text =
+        (is_cut ? ">= " : "") + brief(computed[k] * factors[k]) + " / " +
+        (exact[k] == 0.
+           ? "unknown"
+           : brief(exact[k] * factors[k]) + " (" +
+               (is_cut ? "cut off" : difference(computed[k], exact[k])) + ")");
+      line << std::setw(26) << text << ' ';
     }
     lines.push_back(line.str());
   }
@@ -233,13 +257,20 @@ void ProbeSet<dim>::finish()
       dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
     return;
   std::vector<AirBlast> air;
+  std::vector<std::string> cut;
   const auto found = blasts();
   for (std::size_t i = 0; i < found.size(); ++i)
+  {
     air.push_back({"probe " + std::to_string(i + 1),
                    found[i],
                    probes_.ambient()[i],
                    probes_.exposures()[i],
                    probes_.records()[i].running});
+    if (is_cut_off(found[i], last_time_))
+      cut.push_back(air.back().place);
+  }
+  if (!cut.empty())
+    log_line(warn_of_cut_off(cut, found.size(), "probes"));
   const std::string table = air_injury_table(
     air, body_mass_, probes_.exposure() == Exposure::load_and_chest);
   if (!table.empty())

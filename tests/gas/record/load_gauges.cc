@@ -228,10 +228,11 @@ TEST(LoadGauges, WriteWhatTheLoadsWouldDoToAPerson)
   ASSERT_EQ(measures.size(), 4U);
   EXPECT_EQ(join(measures[0], ","),
             "place,arrival [s],peak [Pa],peak time [s],impulse [Pa s],positive "
-            "phase [s]");
+            "phase [s],cut off [-]");
   EXPECT_EQ(measures[1][0], "chest");
   EXPECT_NEAR(std::stod(measures[1][2]), 200e3, 0.01 * 200e3);
   EXPECT_NEAR(std::stod(measures[1][5]), 5e-3, 5e-5);
+  EXPECT_EQ(measures[1][6], "0");
   // The same numbers as in the summary.
   std::map<std::string, double> told;
   for (const NamedValue &value : second.measures(0.01))
@@ -251,6 +252,52 @@ TEST(LoadGauges, WriteWhatTheLoadsWouldDoToAPerson)
   EXPECT_NEAR(std::stod(injuries[2][2]), 200. / 941., 3e-3);
   EXPECT_EQ(injuries[3][0] + " " + injuries[3][1], "eardrum_rupture left ear");
   EXPECT_NEAR(std::stod(injuries[3][2]), 0.84, 0.01);
+}
+
+
+// Of a positive phase of 5 ms, impulse and duration are lower limits when the
+// run ends after 2 ms.
+TEST(LoadGauges, TellAPositivePhaseThatTheEndOfTheRunCutsOff)
+{
+  const BlastMeasures whole{200e3, 400., 1e-3, 5e-3},
+    cut{200e3, 300., 1e-3, 1e-3}, none;
+  EXPECT_FALSE(is_cut_off(whole, 7e-3));
+  EXPECT_TRUE(is_cut_off(cut, 2e-3));
+  EXPECT_FALSE(is_cut_off(none, 2e-3));
+  const std::string table = gauge_measures_table(
+    {{"chest", cut, 1e-3, {}}, {"back", none, 0., {}}}, 2e-3);
+  EXPECT_NE(table.find("chest,0.001,2e+05,0.001,300,0.001,1\n"),
+            std::string::npos)
+    << table;
+  EXPECT_NE(table.find("back,0,0,0,0,0,0\n"), std::string::npos) << table;
+
+  LoadGauges gauges = make_gauges({"Loads/Gauges=chest: 0, 0, 0.0005"});
+  for (int i = 0; i < 100; ++i)
+    gauges.add({200e3}, 2e-5 * (i + 1), 2e-5, 1.);
+  const auto is_marked = [&] {
+    for (const NamedValue &value : gauges.measures(2e-3))
+      if (value.name == "loads_chest_cut_off")
+        return value.value == 1.;
+    return false;
+  };
+  EXPECT_TRUE(is_marked());
+  gauges.add({-1e3}, 2e-3, 1e-9, 1.);
+  EXPECT_FALSE(is_marked());
+}
+
+TEST(LoadGauges, WarnOfPositivePhasesThatTheEndOfTheRunCutsOff)
+{
+  EXPECT_EQ(warn_of_cut_off({}, 3, "gauges"), "");
+  const std::string two = warn_of_cut_off({"chest", "back"}, 3, "gauges");
+  EXPECT_NE(two.find(" at chest, back: impulse and duration there are lower "
+                     "limits"),
+            std::string::npos)
+    << two;
+  const std::string all = warn_of_cut_off({"chest", "back"}, 2, "gauges");
+  EXPECT_NE(all.find(" at all 2 gauges: "), std::string::npos) << all;
+  const std::string many =
+    warn_of_cut_off({"a", "b", "c", "d", "e"}, 9, "gauges");
+  EXPECT_NE(many.find(" at 5 of 9 gauges, as a: "), std::string::npos) << many;
 }
 
 

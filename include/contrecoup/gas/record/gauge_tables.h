@@ -22,9 +22,24 @@ struct GaugeBlast
   std::vector<double> overpressures; ///< at the times of the samples [Pa]
 };
 
+/// Whether the positive phase goes on at the end of the record, @p time [s]:
+/// then its impulse and duration are lower limits.
+bool is_cut_off(const BlastMeasures &blast, const double time);
+
+/// The warning that the run ends before the positive phase does.
+/// @param places where it does
+/// @param n_all number of places
+/// @param kind of places, in plural
+/// @return empty without places
+std::string warn_of_cut_off(const std::vector<std::string> &places,
+                            const std::size_t n_all,
+                            const std::string &kind);
+
 /// CSV table of the blast measures, one row per gauge: arrival, peak, its time,
-/// positive impulse and positive phase, as BlastRecord defines them.
-std::string gauge_measures_table(const std::vector<GaugeBlast> &gauges);
+/// positive impulse and positive phase, as BlastRecord defines them, and 1
+/// where the end of the run, @p time [s], cuts the positive phase off.
+std::string gauge_measures_table(const std::vector<GaugeBlast> &gauges,
+                                 const double time);
 
 /**
  * CSV table of injuries that the loads at the gauges would cause, one row per
