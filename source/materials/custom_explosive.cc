@@ -102,8 +102,11 @@ namespace
     const double energy = energy_per_mass(explosive);
     if (energy == before)
       return;
-    const double ratio = energy / tnt_energy;
-    explosive.tnt = {ratio, ratio, false, "ratio of detonation energies"};
+    const double ratio = energy / before;
+    explosive.tnt = {ratio * base.tnt.pressure,
+                     ratio * base.tnt.impulse,
+                     false,
+                     "that of " + base.name + " times the ratio of energies"};
     Afterburn &afterburn = explosive.afterburn;
     afterburn.largest = std::max(0., afterburn.largest + before - energy);
     afterburn.energy = std::min(afterburn.energy, afterburn.largest);

@@ -71,13 +71,22 @@ namespace
     return row.energy * gigapascal / row.density;
   }
 
+  double detonation_energy(const std::string &name)
+  {
+    return detonation_energy(
+      *std::find_if(rows().begin(), rows().end(), [&](const Row &row) {
+        return row.name == name;
+      }));
+  }
+
   TntEquivalence tnt_equivalence(const Row &row)
   {
     if (row.name.compare(0, 3, "tnt") == 0)
       return {1., 1., true, "TNT"};
     if (row.name == "c-4")
       return {1.37, 1.19, true, "averages of TM 5-855-1 (1986)"};
-    const double ratio = detonation_energy(row) / tnt_energy;
+    const double ratio =
+      detonation_energy(row) / detonation_energy("tnt dobratz");
     return {ratio, ratio, false, "ratio of detonation energies"};
   }
 

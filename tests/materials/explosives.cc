@@ -9,8 +9,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <iomanip>
 #include <map>
 #include <set>
+#include <sstream>
 #include <string>
 
 using namespace contrecoup;
@@ -158,7 +160,8 @@ TEST(Explosives, ReleaseNoMoreByAfterburnThanByCombustion)
   }
   EXPECT_EQ(find_explosive("tnt").afterburn.energy, 3.5e6);
   EXPECT_EQ(find_explosive("anfo").afterburn.energy, 0.);
-  EXPECT_NEAR(find_explosive("anfo").tnt.impulse, 2.484 / 0.931 / 4.184, 1e-12);
+  EXPECT_NEAR(
+    find_explosive("anfo").tnt.impulse, 2.484 / 0.931 / (7. / 1.63), 1e-12);
 }
 
 
@@ -195,12 +198,31 @@ TEST(CustomExplosive, KeepsWhatDoesNotDependOnTheChange)
   EXPECT_EQ(stiffer.explosive.tnt.pressure, 1.37);
 }
 
+// A density that differs by a millionth does not change the equivalence by
+// more, whatever the explosive is like.
+TEST(CustomExplosive, HasAnEquivalenceWithoutJumps)
+{
+  for (const Explosive &like : explosive_library())
+  {
+    std::ostringstream density;
+    density << std::setprecision(12)
+            << like.jwl.reference_density * (1. + 1e-6);
+    const TntEquivalence tnt =
+      custom_with({"Like=" + like.name, "Density=" + density.str()})
+        .explosive.tnt;
+    EXPECT_NEAR(tnt.pressure / like.tnt.pressure, 1. - 1e-6, 1e-10)
+      << like.name;
+    EXPECT_NEAR(tnt.impulse / like.tnt.impulse, 1. - 1e-6, 1e-10) << like.name;
+  }
+}
+
 TEST(CustomExplosive, TakesTheEquivalenceFromItsEnergy)
 {
   const CustomExplosive weak =
     custom_with({"Like=c-4", "Energy density=6.7e9"});
   const double energy = 6.7e9 / 1601.;
-  EXPECT_NEAR(weak.explosive.tnt.pressure, energy / 4.184e6, 1e-12);
+  EXPECT_NEAR(weak.explosive.tnt.pressure, 1.37 * 6.7 / 9., 1e-12);
+  EXPECT_NEAR(weak.explosive.tnt.impulse, 1.19 * 6.7 / 9., 1e-12);
   EXPECT_FALSE(weak.explosive.tnt.is_published);
   const Explosive &c4 = find_explosive("c-4");
   EXPECT_NEAR(weak.explosive.afterburn.largest + energy,

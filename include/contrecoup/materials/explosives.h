@@ -10,15 +10,12 @@
 
 namespace contrecoup
 {
-/// Energy of the detonation of TNT by convention [J/kg].
-inline constexpr double tnt_energy = 4.184e6;
-
 /// Mass of TNT per mass of an explosive that has the same blast in air.
 struct TntEquivalence
 {
   double pressure;   ///< for the incident peak and the arrival [-]
   double impulse;    ///< for impulse and duration [-]
-  bool is_published; ///< from measurements; else the ratio of energies
+  bool is_published; ///< from measurements; else a ratio of energies
   std::string source;
 };
 
@@ -61,8 +58,10 @@ struct ChapmanJouguetState
  * 1e-5 Mbar/K of ignition-and-growth models (Tarver and coworkers).
  *
  * TNT equivalences of C-4 are the averages of TM 5-855-1 (1986); those of
- * explosives without a measured one are ratios of detonation energies, with
- * 4.184 MJ/kg for TNT.
+ * explosives without a measured one are ratios of detonation energies to that
+ * of "tnt dobratz", 4.29 MJ/kg, whose constants are of the same handbook as
+ * theirs. The 3.68 MJ/kg of "tnt" are of another calibration, and would give
+ * composition B 1.35 and PETN 1.55.
  *
  * The largest energy of afterburn is the heat of combustion to carbon dioxide
  * and water vapour, from standard enthalpies of formation (-393.5 and -241.8
