@@ -24,7 +24,11 @@ void GasMaterial::declare_parameters(ParameterHandler &prm)
                     "ideal gas",
                     equation_of_state_names(),
                     "One ideal or stiffened gas, pure explosive products, "
-                    "or products mixed with an ideal gas.");
+                    "or products mixed with an ideal gas. With jwl and B of "
+                    "at least 0, states below the cold curve are refused, "
+                    "also where their sound speed is real: limiters need the "
+                    "convex set above it. With B < 0, all states of pure jwl "
+                    "with a real sound speed are taken.");
   declare_double(
     prm,
     "Gamma",
