@@ -111,6 +111,8 @@ def section(scene, judged):
             "least the difference of the peak on the chest, or on the back "
             "where that is shown, and beside the body that of the incident "
             "peak; probabilities have the bounds that follow from the error of "
-            "the pressure or load by their curve; maximum and minimum brain pressure both take the larger of their "
+            "the pressure or load by their curve; what happens in the body has "
+            "at least the difference of the impulse on the elements from the "
+            "recorded one; maximum and minimum brain pressure both take the larger of their "
             "errors."),
         numbers=(1, 2, 3))

@@ -6,7 +6,8 @@ import math
 import re
 
 from plot.analysis import person
-from plot.report import error_estimate, injury_thresholds, page
+from plot.report import (error_estimate, injury_thresholds, load_impulses,
+                         page)
 from plot.report.injury_thresholds import Known
 
 # Names of the measures of gauge_injury.csv; of chest and back, and of an upper
@@ -162,6 +163,8 @@ def judge(scene):
         elif name.startswith(("chest_wall_", "lung_")):
             # Errors of peak and duration can cancel in what follows from both.
             error = _at_least(error, error_estimate.peak_change(scene, side))
+        else:
+            error = _at_least(error, load_impulses.difference(scene))
         judged.append(Judged(name, value, unit, known, error, causes,
                              None if other is None else other[0],
                              curve if of is not None else "", of))

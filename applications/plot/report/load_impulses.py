@@ -17,3 +17,12 @@ def along(scene):
     size = math.hypot(*recorded)
     return (size, sum(map(operator.mul, recorded, mapped)) / size) \
         if size else None
+
+
+def difference(scene):
+    """By how much the impulse on the elements differs from the recorded one, as
+    a part of that; 0 without loads. It is not 0 where the surfaces differ by
+    too much for a correction, which the coarser run may have: then the
+    difference of both runs does not show it."""
+    found = along(scene)
+    return 0. if found is None else abs(found[1] / found[0] - 1.)
