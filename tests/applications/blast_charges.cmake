@@ -57,6 +57,16 @@ blast_burns(charge_cylindrical verification/paper_1d "${_closed}"
   "Domain/Geometry=cylindrical" "Charges/Charge 1/Shape=cylinder" ${_no_table})
 blast_burns(charge_axisymmetric verification/charge_axisymmetric "${_closed}")
 
+# A positive phase that the end of the run cuts off is marked, with a warning, and
+# has no difference from the tables; that of the probe before is whole.
+contrecoup_add_application_test(cut_off_phase bounds
+  FILE blast/verification/kingery_bulmash.prm
+  SET "Time/End time=2.5e-3" "Domain/Coarse leaves=100"
+  BOUNDS "results.probe_4_cut_off == 1.0" "errors.probe_3_impulse_relative < 0.2"
+    "errors.probe_4_arrival_relative < 0.02"
+    "errors.probe_4_impulse_relative == None"
+  MESSAGE "the run ends before the positive phase does at probe 4: ")
+
 # Ignited at the rim, the detonation runs inwards and is far stronger in the
 # middle.
 blast_burns(extreme_implosion verification/paper_1d "${_closed}"
@@ -69,6 +79,24 @@ blast_burns(cone verification/cone "errors.density_L1 < 0.0106;${_closed};\
 results.probe_1_peak_overpressure > 9.22e6;\
 results.probe_1_peak_overpressure < 10.17e6;\
 results.probe_1_arrival > 5.31e-5;results.probe_1_arrival < 5.334e-5")
+
+# What scenes tell of the model's bias (source/coupling/scene/model_bias.cc) is what
+# runs have, within 0.01.
+blast_burns(bias_tnt verification/explosive_bias
+  "errors.probe_3_peak_overpressure_relative < 0.056;\
+errors.probe_3_impulse_relative > 0.068;errors.probe_3_impulse_relative < 0.088;\
+errors.probe_4_impulse_relative > 0.115;errors.probe_4_impulse_relative < 0.135"
+  "Domain/Upper corner=4.8" "Domain/Coarse leaves=300" "Time/End time=9e-3"
+  "Probes/Points=1@SEMICOLON@ 1.5@SEMICOLON@ 2@SEMICOLON@ 3")
+blast_burns(bias_composition_b verification/explosive_bias
+  "errors.probe_3_peak_overpressure_relative < 0.075;\
+errors.probe_3_impulse_relative > -0.167;errors.probe_3_impulse_relative < 0.167;\
+errors.probe_4_impulse_relative > -0.122;errors.probe_4_impulse_relative < 0.122"
+  "Domain/Upper corner=4.8" "Domain/Coarse leaves=300" "Time/End time=9e-3"
+  "Probes/Points=1@SEMICOLON@ 1.5@SEMICOLON@ 2@SEMICOLON@ 3"
+  "Material/Explosive=composition b" "Charges/Afterburn/Energy=1.9678e6"
+  "Reference/Kingery Bulmash/TNT equivalence of pressure=1.1528"
+  "Reference/Kingery Bulmash/TNT equivalence of impulse=1.1528")
 
 # Kingery and Bulmash at 0.5, 1 and 2 m; at 1 and 2 m 15 % in peak and impulse and
 # 5 % in arrival were asked for. Bounds: the differences when the test was written

@@ -775,6 +775,33 @@ class ReportTest(unittest.TestCase):
             self.assertEqual(bool(found), bool(told))
             self.assertIn(told, found)
 
+    def test_errors_have_that_of_the_loads(self):
+        """What happens in the body is no better known than its impulse, even if
+        both runs agree."""
+        folder = self.copy_without("blast/fields", "biomechanics/fields.pvd")
+        path = os.path.join(folder, "biomechanics", "summary.json")
+        with open(path, encoding="utf-8") as file:
+            text = file.read()
+        self.assertIn("-118.3", text)
+        tiny_scene.write(path, text.replace("-118.3", "-177.6"))
+        errors = {entry.name: entry.error
+                  for entry in injury_table.judge(Scene(folder))}
+        self.assertGreaterEqual(errors["injury_strain_95"], 0.5)
+        self.assertLess(errors["ear_rupture_left ear"], 0.5)
+
+    def test_model_bias(self):
+        """Is told with its sign, and not where it was not measured."""
+        rows = [{"item": "model_bias_peak", "estimate": "-0.05"},
+                {"item": "model_bias_impulse", "estimate": "0.078"}]
+        for known in (rows, []):
+            scene = types.SimpleNamespace(list_of=lambda _: known)
+            told = " ".join(headline._model_bias(scene)).replace("\xa0", " ")
+            self.assertEqual(bool(told), bool(known))
+        scene.list_of = lambda _: rows
+        told = headline._model_bias(scene)[0].replace("\xa0", " ")
+        self.assertIn("a peak 5.0 % below and an impulse 7.8 % above the tables",
+                      told)
+
     def test_no_afterburn(self):
         """Of a balanced explosive: no sentence on effects of nothing."""
         row = {"item": "afterburn", "decision": "left out, by explosive"}

@@ -3,6 +3,7 @@
 
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/coupling/scene/first_answer.h>
+#include <contrecoup/coupling/scene/model_bias.h>
 #include <contrecoup/numerics/injury/blast_injury.h>
 
 namespace contrecoup::coupling
@@ -112,7 +113,8 @@ std::vector<std::string> first_answer(const SceneParameters &scene,
     return {"no first answer: the tables of Kingery and Bulmash do not cover " +
             what + where};
   const std::string equivalence = equivalence_in_words(scene.explosive);
-  return {
+  const std::string bias = in_words(model_bias(scene, layout.distance));
+  std::vector<std::string> lines = {
     "first answer, by tables and without a run: " + what +
       (equivalence.empty() ? "" : " (" + equivalence + ")") + where +
       (person.empty() ? "" : " from " + person),
@@ -130,5 +132,10 @@ std::vector<std::string> first_answer(const SceneParameters &scene,
     "  left out: reflection by the ground" +
       (walls.empty() ? "" : " and by " + walls) +
       ", shape and tissues of the body; a run has them"};
+  if (!bias.empty())
+    lines.push_back(
+      "  known bias of a run's incident wave, whatever its cells: " + bias +
+      " of these figures");
+  return lines;
 }
 } // namespace contrecoup::coupling

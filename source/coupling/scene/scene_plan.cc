@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/system/text.h>
+#include <contrecoup/coupling/scene/model_bias.h>
 #include <contrecoup/coupling/scene/scene_plan.h>
 #include <contrecoup/io/file/checked_file.h>
 #include <contrecoup/io/output/history_reader.h>
@@ -194,16 +195,38 @@ namespace
             "Scene/Cell size"};
   }
 
+  /// Item about a known difference of the model from the tables.
+  Assumption bias(const std::string &what, const double value)
+  {
+    return {"model_bias_" + what,
+            "as the explosive's constants and afterburn give it",
+            "known difference of the model's incident " + what +
+              " from the tables, whatever the cells",
+            "-",
+            value,
+            unknown,
+            false,
+            "Charge/Explosive"};
+  }
+
   /// Items about charge and cells, known before the run.
   std::vector<Assumption> items_of_charge(const SceneParameters &scene,
                                           const SceneLayout &layout)
   {
-    return {symmetry(layout),
-            afterburn(scene),
-            afterburn_effect(scene, layout, BlastQuantity::overpressure),
-            afterburn_effect(scene, layout, BlastQuantity::impulse),
-            resolution(scene, layout),
-            body_cells(layout)};
+    std::vector<Assumption> items = {
+      symmetry(layout),
+      afterburn(scene),
+      afterburn_effect(scene, layout, BlastQuantity::overpressure),
+      afterburn_effect(scene, layout, BlastQuantity::impulse),
+      resolution(scene, layout),
+      body_cells(layout)};
+    const ModelBias known = model_bias(scene, layout.distance);
+    if (!std::isnan(known.peak))
+    {
+      items.push_back(bias("peak", known.peak));
+      items.push_back(bias("impulse", known.impulse));
+    }
+    return items;
   }
 
   /// Item about a side of the domain that the user chose.

@@ -52,7 +52,8 @@ std::string percent(double probability);
  * body's distance by the tables of Kingery and Bulmash for the TNT equivalence
  * of the explosive, and what its incident and its reflected peak would do to
  * eardrums and lungs. Ground reflection, afterburn, the body's shape and its
- * tissues are left out, and walls that the user adds.
+ * tissues are left out, and walls that the user adds. The ModelBias of a run,
+ * if it was measured.
  *
  * @param body_mass [kg]
  * @param person who is in the scene, in words; empty: not said

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/coupling/scene/scene_parameters.h>
+
+#include <string>
+
+namespace contrecoup::coupling
+{
+/// Relative difference of the incident wave of the model from the tables of
+/// Kingery and Bulmash where cells are no reason [-]; NaN: not measured.
+struct ModelBias
+{
+  double peak;
+  double impulse;
+};
+
+/**
+ * The difference at a distance [m] from a charge, measured for 1 kg of each
+ * explosive of the library with its usual afterburn in 1-D
+ * (parameter_files/study/explosive_bias.prm) at scaled distances of 1 to 6
+ * m/kg^(1/3), and linear between their logarithms. Unknown for explosives and
+ * afterburn of the user, and elsewhere.
+ */
+ModelBias model_bias(const SceneParameters &scene, double distance);
+
+/// "peak -3 %, impulse +12 %"; empty: not measured.
+std::string in_words(const ModelBias &bias);
+} // namespace contrecoup::coupling

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/system/text.h>
+#include <contrecoup/coupling/scene/model_bias.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+
+namespace contrecoup::coupling
+{
+namespace
+{
+  constexpr std::size_t n_distances = 6;
+  /// Scaled distances of the measurements [m/kg^(1/3)].
+  constexpr std::array<double, n_distances> distances = {
+    {1., 1.5, 2., 3., 4., 6.}};
+
+  /// Relative differences at these distances [-].
+  struct Measured
+  {
+    std::array<double, n_distances> peak, impulse;
+  };
+
+  /// From parameter_files/study/results/explosive_bias.md.
+  const std::map<std::string, Measured> &measured()
+  {
+    // clang-format off
+    static const std::map<std::string, Measured> table{
+      {"tnt",
+       {{{0.043, -0.024, -0.046, -0.019, 0.022, 0.052}},
+        {{0.043, 0.015, 0.078, 0.125, 0.124, 0.110}}}},
+      {"tnt dobratz",
+       {{{0.109, 0.018, -0.014, 0.007, 0.035, 0.066}},
+        {{0.005, -0.022, 0.041, 0.093, 0.095, 0.083}}}},
+      {"c-4",
+       {{{0.062, -0.057, -0.103, -0.092, -0.058, -0.016}},
+        {{0.042, -0.022, 0.036, 0.098, 0.103, 0.092}}}},
+      {"composition b",
+       {{{0.091, -0.020, -0.065, -0.051, -0.021, 0.014}},
+        {{-0.188, -0.211, -0.157, -0.112, -0.110, -0.046}}}},
+      {"petn 1.77",
+       {{{0.016, -0.099, -0.148, -0.139, -0.102, -0.064}},
+        {{-0.283, -0.299, -0.246, -0.202, -0.201, -0.211}}}},
+      {"petn 1.50",
+       {{{0.030, -0.095, -0.145, -0.136, -0.099, -0.060}},
+        {{-0.277, -0.295, -0.242, -0.198, -0.197, -0.207}}}},
+      {"anfo",
+       {{{-0.090, -0.105, -0.103, -0.061, -0.033, -0.011}},
+        {{-0.275, -0.206, -0.163, -0.148, -0.153, -0.166}}}},
+      {"pentolite",
+       {{{0.101, -0.008, -0.053, -0.039, -0.010, 0.023}},
+        {{-0.185, -0.201, -0.147, -0.102, -0.022, -0.032}}}}};
+    // clang-format on
+    return table;
+  }
+
+  /// Linear between the logarithms of distances.
+  double interpolate(const std::array<double, n_distances> &values,
+                     const double distance)
+  {
+    const auto after =
+      std::lower_bound(distances.begin() + 1, distances.end() - 1, distance);
+    const auto i = static_cast<std::size_t>(after - distances.begin());
+    const double part = std::log(distance / distances[i - 1]) /
+                        std::log(distances[i] / distances[i - 1]);
+    return values[i - 1] + part * (values[i] - values[i - 1]);
+  }
+} // namespace
+
+
+ModelBias model_bias(const SceneParameters &scene, const double distance)
+{
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  const double scaled = distance / std::cbrt(scene.mass);
+  const auto found = measured().find(scene.explosive.name);
+  const bool is_measured = found != measured().end() &&
+                           scene.custom_entries.empty() &&
+                           scene.has_usual_afterburn;
+  if (!is_measured || scaled < distances.front() || scaled > distances.back())
+    return {unknown, unknown};
+  return {interpolate(found->second.peak, scaled),
+          interpolate(found->second.impulse, scaled)};
+}
+
+
+std::string in_words(const ModelBias &bias)
+{
+  const auto words = [](const std::string &what, const double value) {
+    return what + (value < 0. ? " -" : " +") +
+           brief(std::abs(std::round(100. * value))) + " %";
+  };
+  return std::isnan(bias.peak)
+           ? ""
+           : words("peak", bias.peak) + ", " + words("impulse", bias.impulse);
+}
+} // namespace contrecoup::coupling
