@@ -13,7 +13,6 @@ import json
 import math
 import os
 import re
-import resource
 import shutil
 import subprocess
 import sys
@@ -36,7 +35,8 @@ import scene_cases
 import study_cases
 from case import (Case, Failed, Skipped, check_bound, check_finite,
                   checkpoints, compare_arrays, compare_bytes, compare_numbers,
-                  expand, look_up, read_json, read_summary, snapshot)
+                  expand, look_up, read_json, read_summary, say_core_seconds,
+                  snapshot)
 from summaries import flaw_of
 
 
@@ -364,30 +364,14 @@ def foreign_checkpoint(case):
         raise Failed("the refused run changed its output folder")
 
 
-def of_module(kind):
-    def judged(case):
-        try:
-            kind(case, check_bound, read_summary)
-        except AssertionError as reason:
-            raise Failed(str(reason)) from reason
-    return judged
-
-
 KINDS = {kind.__name__: kind for kind in
          (schema, bounds, regression, ranks, same, convergence, check_files, stem,
           wedge, reflection, refusal, failure, damaged_checkpoint,
           foreign_checkpoint)}
-KINDS.update(resume_cases.KINDS)
-KINDS.update(machine_cases.KINDS)
-KINDS.update(picture_cases.KINDS)
-KINDS.update(field_cases.KINDS)
-KINDS.update({name: of_module(kind)
-              for name, kind in {**study_cases.KINDS, **cost_cases.KINDS,
-                                 **load_cases.KINDS,
-                                 **folder_cases.KINDS,
-                                 **scene_cases.KINDS,
-                                 **main_job_cases.KINDS,
-                                 **number_cases.KINDS}.items()})
+for module in (resume_cases, machine_cases, picture_cases, field_cases,
+               study_cases, cost_cases, load_cases, folder_cases, scene_cases,
+               main_job_cases, number_cases):
+    KINDS.update(module.KINDS)
 
 
 def parse(arguments):
@@ -433,7 +417,7 @@ def prove(case, kind):
     """Runs one kind; returns 0, 1 or 77."""
     try:
         KINDS[kind](case)
-    except Failed as reason:
+    except AssertionError as reason:
         print(f"FAILED: {kind}: {reason}", flush=True)
         return 1
     except (OSError, KeyError, ValueError) as reason:
@@ -458,8 +442,7 @@ def main(arguments):
         full_disk.enter_namespace()
     case = Case(options)
     codes = [prove(case, kind) for kind in options.kinds]
-    used = resource.getrusage(resource.RUSAGE_CHILDREN)
-    print(f"core seconds: {used.ru_utime + used.ru_stime:.1f}")
+    say_core_seconds()
     return 1 if 1 in codes else max(codes)
 
 

@@ -13,16 +13,21 @@ the entries of its stages. An entry whose name or meaning is that of a
 selection, but which is not printed, fails unless OTHERS tells why.
 """
 
-import concurrent.futures
 import os
 import re
-import struct
 import subprocess
 import sys
 import tempfile
 
+import numpy
+
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(
     os.path.abspath(__file__))))
+sys.path.insert(0, os.path.join(ROOT, "tests", "applications", "cases"))
+
+from case import overrides, say_core_seconds  # noqa: E402 (after their path)
+from nifti import write_labels  # noqa: E402
+
 FILES = os.path.join(ROOT, "parameter_files")
 BOX = "biomechanics/verification/plane_wave.prm"
 SOLID_BODY = "biomechanics/extremes/layered_head.prm"
@@ -334,23 +339,8 @@ def all_missing(folder):
 
 def write_image(path):
     """Labels 1 in a ball of 6 voxels of 5 mm."""
-    header = bytearray(352)
-    struct.pack_into("<i", header, 0, 348)
-    struct.pack_into("<8h", header, 40, 3, 16, 16, 16, 1, 1, 1, 1)
-    struct.pack_into("<2h", header, 70, 2, 8)
-    struct.pack_into("<8f", header, 76, 1, 5, 5, 5, 0, 0, 0, 0)
-    struct.pack_into("<f", header, 108, 352)
-    header[123] = 2  # millimetres
-    struct.pack_into("<2h", header, 252, 0, 1)
-    for row in range(3):
-        affine = [0., 0., 0., 0.]
-        affine[row] = 5.
-        struct.pack_into("<4f", header, 280 + 16 * row, *affine)
-    header[344:348] = b"n+1\0"
-    inside = [(i - 8) ** 2 + (j - 8) ** 2 + (k - 8) ** 2 < 36
-              for k in range(16) for j in range(16) for i in range(16)]
-    with open(path, "wb") as file:
-        file.write(header + bytes(inside))
+    radius = numpy.sqrt(((numpy.indices((16, 16, 16)) - 8) ** 2).sum(axis=0))
+    write_labels(path, radius < 6., 5.)
 
 
 def flaw_of(folder, here, application, entry):
@@ -358,10 +348,9 @@ def flaw_of(folder, here, application, entry):
     file, settings, *told = CASES[application][entry]
     expected = told[0] if told else entry.replace("*", "none")
     command = [os.path.join(folder, application), os.path.join(FILES, file),
-               "--check", "--output", os.path.join(here, "run")]
-    for setting in settings:
-        command += ["--set", setting.replace(
-            "@IMAGE@", os.path.join(here, "image.nii"))]
+               "--check", "--output", os.path.join(here, "run"),
+               *overrides(setting.replace("@IMAGE@", os.path.join(
+                   here, "image.nii")) for setting in settings)]
     run = subprocess.run(command, capture_output=True, text=True, cwd=here,
                          env={**os.environ, "CONTRECOUP_CHECK_SECONDS": "0"})
     lines = [line for line in run.stderr.splitlines() if line.strip()]
@@ -377,15 +366,14 @@ def main():
     wrong = all_missing(folder)
     with tempfile.TemporaryDirectory() as here:
         write_image(os.path.join(here, "image.nii"))
-        with concurrent.futures.ThreadPoolExecutor(1) as pool:
-            wrong += [flaw for flaw in pool.map(
-                lambda case: flaw_of(folder, here, *case),
-                [(application, entry) for application, cases in CASES.items()
-                 for entry in cases]) if flaw]
+        wrong += filter(None, (flaw_of(folder, here, application, entry)
+                               for application, cases in CASES.items()
+                               for entry in cases))
         if set(os.listdir(here)) != {"image.nii"}:
             wrong.append(f"--check wrote {os.listdir(here)}")
     for line in wrong:
         print(line)
+    say_core_seconds()
     return 1 if wrong else 0
 
 

@@ -4,16 +4,13 @@
 the digits that are shown. The figures are worked out here anew, from the files
 alone, and each measure of injury from the history as well."""
 
-import csv
-import json
-import os
 import re
 
 import numpy as np
 
-import report_figures
 import report_reader
-from report_figures import require
+from case import read_columns, read_json, read_rows, read_text, require
+from report_figures import TITLES
 from report_reader import require_same
 from summaries import values_of
 
@@ -25,29 +22,18 @@ class Files:
 
     def __init__(self, output):
         self.output = output
-        with open(os.path.join(output, "summary.json"),
-                  encoding="utf-8") as file:
-            self.summary = json.load(file)
+        self.summary = read_json(output, "summary.json")
         self.found = (values_of(self.summary, "results")
                       | values_of(self.summary, "checks"))
-        self.history = _columns(output, "history.csv")
-        self.probes = _columns(output, "probes.csv")
+        self.history = read_columns(output, "history.csv")
+        self.probes = read_columns(output, "probes.csv")
         self.injury = {row["measure"]: float(row["value"]) for row in
-                       report_figures.read_rows(output, "injury.csv")}
-        with open(os.path.join(output, "parameters.prm"),
-                  encoding="utf-8") as file:
-            parameters = file.read()
+                       read_rows(output, "injury.csv")}
+        parameters = read_text(output, "parameters.prm")
         mesh = parameters[parameters.index("subsection Mesh"):]
         self.is_file = re.search(r"set Kind += (.*)", mesh)[1] == "file"
         self.criterion = head_injury_criterion(
             *gained_speed(self.history, "skull"), 0.015)
-
-
-def _columns(*names):
-    with open(os.path.join(*names), newline="", encoding="utf-8") as file:
-        rows = list(csv.reader(file))
-    return {name.split(" [")[0]: [float(row[number]) for row in rows[1:]]
-            for number, name in enumerate(rows[0])}
 
 
 def crossing(time, values):
@@ -232,7 +218,7 @@ def check_injury(page, files):
     """The table holds what injury.csv does, and this is what the rows of the
     history have, which are of the same steps."""
     rows = {row["measure"]: row for row in page.table("Injury").records()}
-    titles = dict(report_figures.TITLES, injury_pressure_roughness=(
+    titles = dict(TITLES, injury_pressure_roughness=(
         "oscillation of the brain pressure between neighbouring elements over "
         "its averages"))
     listed = {name: value for name, value in files.injury.items()

@@ -6,13 +6,14 @@ import json
 import math
 import os
 import re
+import resource
 import shutil
 import subprocess
 
 import samples
 
 
-class Failed(Exception):
+class Failed(AssertionError):
     """What was to be proven does not hold."""
 
 
@@ -97,13 +98,47 @@ class Case:
         return self.straight_runs[key]
 
 
+def overrides(settings):
+    """Words of a command that set "Section/Entry=value" each."""
+    return [word for setting in settings for word in ("--set", setting)]
+
+
+def say_core_seconds():
+    """Of all processes that this one has started, for record_times.py."""
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    print(f"core seconds: {used.ru_utime + used.ru_stime:.1f}")
+
+
+def read_bytes(*names):
+    with open(os.path.join(*names), "rb") as file:
+        return file.read()
+
+
+def read_text(*names):
+    return read_bytes(*names).decode()
+
+
 def read_json(*names):
-    with open(os.path.join(*names), encoding="utf-8") as file:
-        return json.load(file)
+    return json.loads(read_bytes(*names))
 
 
 def read_summary(output):
     return read_json(output, "summary.json")
+
+
+def read_rows(*names):
+    """Rows of a table by the names of its columns, without its remarks."""
+    return list(csv.DictReader(
+        line for line in read_text(*names).splitlines()
+        if not line.startswith("#")))
+
+
+def read_columns(*names):
+    """Numbers of a table by the names of its columns, which lose their
+    units."""
+    rows = read_rows(*names)
+    return {name.split(" [")[0]: [float(row[name]) for row in rows]
+            for name in rows[0]}
 
 
 def look_up(summary, key):
@@ -202,13 +237,9 @@ def checkpoints(output):
 
 def snapshot(folder):
     """Contents of all files below a folder."""
-    found = {}
-    for here, _, names in os.walk(folder):
-        for name in names:
-            path = os.path.join(here, name)
-            with open(path, "rb") as file:
-                found[os.path.relpath(path, folder)] = file.read()
-    return found
+    return {os.path.relpath(os.path.join(here, name), folder):
+            read_bytes(here, name)
+            for here, _, names in os.walk(folder) for name in names}
 
 
 def compare_bytes(first, second, names):
@@ -219,8 +250,7 @@ def compare_bytes(first, second, names):
         if name.endswith(".h5"):
             same = samples.are_equal(samples.read(one), samples.read(two))
         else:
-            with open(one, "rb") as file, open(two, "rb") as other:
-                same = file.read() == other.read()
+            same = read_bytes(one) == read_bytes(two)
         if not same:
             raise Failed(f"{name} is not the same to the last bit in {first} "
                          f"and {second}")

@@ -3,12 +3,8 @@
 import os
 import re
 
+from case import read_summary, read_text, require
 from summaries import values_of
-
-
-def require(holds, reason):
-    if not holds:
-        raise AssertionError(reason)
 
 
 PROMISE = re.compile(r"peaks ([\d.]+) %, impulses ([\d.]+) %[^;]*; "
@@ -16,20 +12,18 @@ PROMISE = re.compile(r"peaks ([\d.]+) %, impulses ([\d.]+) %[^;]*; "
 GAUGE = re.compile(r"^# +(\d) +([\d.]+) +([\d.]+)$", re.MULTILINE)
 
 
-def presets(case, check_bound, read_summary):
+def presets(case):
     """Each preset has the errors that its first lines state, within a
     twentieth and a twentieth of a per cent, and makes as many updates relative
     to the first one as they state, within 3 %; --compare names them, the file has the true peaks and impulses."""
     folder = os.path.dirname(os.path.abspath(case.options.file))
-    with open(case.options.file) as file:
-        scene = file.read()
+    scene = read_text(case.options.file)
     truth = [tuple(map(float, row)) for row in GAUGE.findall(scene)]
     require(truth and "include " in scene, "the file has no figures or preset")
     unit_cost, wrong = None, []
     for name in case.options.compare:
         preset = os.path.join(folder, name + ".prm")
-        with open(preset) as file:
-            text = " ".join(file.read().replace("#", " ").split())
+        text = " ".join(read_text(preset).replace("#", " ").split())
         promised = PROMISE.search(text)
         require(promised, f"{preset} does not say what it costs")
         with open(case.folder(name + ".prm"), "w") as file:

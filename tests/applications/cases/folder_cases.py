@@ -16,6 +16,7 @@ import zlib
 
 import full_disk
 import resume_cases
+from case import read_bytes, read_json, read_summary, require, snapshot
 from machine_cases import told_once
 
 # Of a user, in places where no application writes.
@@ -23,26 +24,8 @@ FOREIGN = ("thesis.txt", "fields/x.txt", "blast/thesis.txt", "anatomy/data.csv",
            "checkpoint/0001/note.txt", "pictures/holiday.jpg", "variants/y.txt")
 
 
-def require(holds, reason):
-    if not holds:
-        raise AssertionError(reason)
-
-
-def read_bytes(*names):
-    with open(os.path.join(*names), "rb") as file:
-        return file.read()
-
-
-def snapshot(folder):
-    """Contents of all files below a folder."""
-    return {os.path.relpath(os.path.join(here, name), folder):
-            read_bytes(here, name)
-            for here, _, names in os.walk(folder) for name in names}
-
-
 def manifest(output):
-    with open(os.path.join(output, "manifest.json"), encoding="utf-8") as file:
-        return json.load(file)
+    return read_json(output, "manifest.json")
 
 
 def put(folder, *names):
@@ -88,7 +71,7 @@ def refused(case, output, message, extra=(), code=1, **keywords):
     require(not changed, f"the refused run changed {changed}")
 
 
-def folder_finished(case, _check_bound, _read_summary):
+def folder_finished(case):
     """Files of a user survive every command; a finished run stays as it is
     until --overwrite; what was changed is refused, and other entries are
     named. The first --argument is an entry with another value, an earlier end
@@ -116,7 +99,7 @@ def folder_finished(case, _check_bound, _read_summary):
     require(manifest(output)["entries"][entry] == value, "it ran as before")
 
 
-def folder_foreign(case, _check_bound, _read_summary):
+def folder_foreign(case):
     """Files of a user in the place of results are never overwritten; --output
     cannot be the root, the home folder, or one of another application."""
     for name in case.options.compare:
@@ -154,7 +137,7 @@ def has_checkpoint(output):
                                        "complete.json"), recursive=True))
 
 
-def folder_lock(case, _check_bound, _read_summary):
+def folder_lock(case):
     """The second run in a folder is told who is there; after kill -9 the next
     one knows the files for Contrecoup's and begins anew. --argument: what makes
     a long run with checkpoints."""
@@ -201,7 +184,7 @@ def environment_of(pid):
         return ""
 
 
-def folder_signals(case, check_bound, read_summary):
+def folder_signals(case):
     """SIGINT ends with 130, SIGTERM with 143, SIGUSR1 with 138, so that what
     comes after && does not begin; what is left is neither lost without a question
     nor taken for finished, and --resume goes on from the checkpoint. Under mpirun
@@ -232,17 +215,15 @@ def folder_signals(case, check_bound, read_summary):
         require(manifest(output)["status"] == "stopped", "it did not stop")
         refused(case, output, "--resume goes on with it", extra)
         if 128 + asked == codes[-1]:
-            goes_on(case, output, read_summary)
+            goes_on(case, output)
 
 
-def goes_on(case, output, read_summary):
+def goes_on(case, output):
     """--resume begins with the step of the newest checkpoint, a scene's on one
     rank, and after another precision was refused."""
     newest = max(glob.glob(os.path.join(output, "**", "checkpoint", "*",
                                         "complete.json"), recursive=True))
-    with open(os.path.join(os.path.dirname(newest), "run.json"),
-              encoding="utf-8") as file:
-        step = json.load(file)["state"]["step"]
+    step = read_json(os.path.dirname(newest), "run.json")["state"]["step"]
     require(step > 0, "the checkpoint is of the beginning")
     few = ["--set", "Time/Steps in this run=2"] if is_solver(case) else []
     # Other numbers of ranks and precisions of solvers: see folder_ranks().
@@ -258,7 +239,7 @@ def goes_on(case, output, read_summary):
     require(begin == step, f"it went on from step {begin}, not from {step}")
 
 
-def folder_read_only(case, _check_bound, _read_summary):
+def folder_read_only(case):
     """A folder that is not writable is refused with 1, and a file system that
     turns read-only in the middle of a run ends it with 3. --argument: what
     makes a long run with checkpoints."""
@@ -333,7 +314,7 @@ def read_only(folder):
         subprocess.run(["umount", folder], check=True)
 
 
-def folder_ranks_fail(case, _check_bound, _read_summary):
+def folder_ranks_fail(case):
     """All ranks but the first cannot write their part of a checkpoint: exit code
     3, one line, and the run goes on from the checkpoint before. --argument makes
     a long run with checkpoints."""
@@ -350,7 +331,7 @@ def folder_ranks_fail(case, _check_bound, _read_summary):
              + ["--resume", "--set", "Time/Steps in this run=1"], ranks=1)
 
 
-def folder_cache(case, _check_bound, _read_summary):
+def folder_cache(case):
     """--check does without its cache where none can be kept: the place is a
     file, a folder that is not writable, or one that is not there. With the last,
     which is the home as well, whoever starts others and draws makes the --compare
@@ -379,7 +360,7 @@ def folder_cache(case, _check_bound, _read_summary):
                 f"{name} is empty")
 
 
-def folder_ranks(case, _check_bound, read_summary):
+def folder_ranks(case):
     """A checkpoint of another number of ranks goes on where it stood, one of
     another precision is refused in one line and stays as it is. --argument is
     the entry of the other precision."""
@@ -417,7 +398,7 @@ BRIEF = {
                "Scene/End time=0.0005", "Anatomy/Output/Pictures=false"])}
 
 
-def folder_default(case, _check_bound, _read_summary):
+def folder_default(case):
     """Without --output each application takes output/APPLICATION/NAME, below
     where it is started, for files of the same name a folder each, and finds its
     results there when it is started once more. FILE tells where the parameter
@@ -463,7 +444,7 @@ def put_other_run(output):
                    "input_files": {}, "entries": {}}, file)
 
 
-def folder_stages(case, _check_bound, _read_summary):
+def folder_stages(case):
     """What another application left goes with --overwrite only. A stage whose results were cut, changed or deleted is made anew, and the
     log says why; other entries replace a stage only with --overwrite and only
     when the new one is complete; files of the user stay."""

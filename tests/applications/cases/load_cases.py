@@ -1,11 +1,11 @@
 """What tests of recorded loads prove; kinds of run_case.py."""
 
 import bisect
-import csv
 import math
 import os
 import re
 
+from case import check_bound, overrides, read_columns, read_summary, read_text
 from summaries import values_of
 
 ENTRY = "Loads/Smallest overpressure"
@@ -13,9 +13,8 @@ ENTRY = "Loads/Smallest overpressure"
 
 def read_gauges(output):
     """Times, and overpressures of all gauges at each."""
-    with open(os.path.join(output, "load_gauges.csv"), newline="") as file:
-        rows = [list(map(float, row)) for row in list(csv.reader(file))[1:]]
-    return [row[0] for row in rows], [row[1:] for row in rows]
+    times, *gauges = read_columns(output, "load_gauges.csv").values()
+    return times, list(map(list, zip(*gauges)))
 
 
 def integrals(times, samples):
@@ -25,7 +24,7 @@ def integrals(times, samples):
             for gauge in range(len(samples[0]))]
 
 
-def arrival(case, check_bound, read_summary):
+def arrival(case):
     """Samples begin when the wave arrives, and none of their impulse is lost:
     bounds of "first_sample" [s], "samples_at_rest", of the part of the largest
     "first_overpressure" and of the "impulse_difference" from a run that keeps
@@ -67,7 +66,7 @@ def largest_mean(times, samples, gauge, duration, last=False):
                if time >= duration)
 
 
-def gauge_order(case, check_bound, read_summary):
+def gauge_order(case):
     """The largest means of gauges over some time converge, or with "last" after
     SECONDS those at the end: for --vary as in convergence, and --error "NUMBER
     SECONDS EXACT|..." of the gauges, bounds of "order_NUMBER" and
@@ -100,8 +99,7 @@ def gauge_order(case, check_bound, read_summary):
 
 def read_domain(output):
     """Corners of the domain that the run used, and its coarse leaves."""
-    with open(os.path.join(output, "parameters.prm")) as file:
-        text = file.read()
+    text = read_text(output, "parameters.prm")
     return [list(map(float, re.search(
         rf"^ *set {entry} *= (.*)$", text, re.MULTILINE)[1].split(",")))
             for entry in ("Lower corner", "Upper corner", "Coarse leaves")]
@@ -119,12 +117,11 @@ def farther(output, number):
         leaves[d] += number * sides
     texts = [", ".join(f"{value:.15g}" for value in values)
              for values in (lower, upper, leaves)]
-    return [word for entry, text in zip(
-        ("Lower corner", "Upper corner", "Coarse leaves"), texts)
-            for word in ("--set", f"Domain/{entry}={text}")]
+    return overrides(f"Domain/{entry}={text}" for entry, text in zip(
+        ("Lower corner", "Upper corner", "Coarse leaves"), texts))
 
 
-def largest_difference(output, other, read_summary):
+def largest_difference(output, other):
     """Of peaks and impulses at the gauges, over the largest of their kind."""
     one, two = (values_of(read_summary(run), "results")
                 for run in (output, other))
@@ -139,7 +136,7 @@ def largest_difference(output, other, read_summary):
     return largest
 
 
-def domain(case, check_bound, read_summary):
+def domain(case):
     """Domain/Size = by time makes a domain large enough for the loads: bounds
     of the "difference" of peaks and impulses from those in a larger domain, and
     of the "short_difference" that the domain of the file itself has."""
@@ -148,14 +145,13 @@ def domain(case, check_bound, read_summary):
     case.run(sized, extra=["--set", "Domain/Size=by time"])
     case.run(larger, extra=farther(sized, 3))
     case.run(short)
-    found = {"difference": largest_difference(sized, larger, read_summary),
-             "short_difference": largest_difference(short, larger,
-                                                    read_summary)}
+    found = {"difference": largest_difference(sized, larger),
+             "short_difference": largest_difference(short, larger)}
     for bound in case.options.bound:
         check_bound(found, bound)
 
 
-def facet_loads(case, check_bound, read_summary):
+def facet_loads(case):
     """The samples in loads.h5 push the body as hard as the summary says: bounds
     of the relative "file_difference" of their impulse, taken with the areas,
     normals and factors of the file, and of what the summary has."""

@@ -3,14 +3,15 @@
 """What tests of the main job prove, a scene from the charge to its report;
 kinds of run_case.py."""
 
-import json
 import os
 import re
 import subprocess
 import xml.etree.ElementTree as xml
 
 import report_figures
-from report_figures import COARSER, STAGES, require
+from case import (check_bound, overrides, read_json, read_summary, read_text,
+                  require)
+from report_figures import COARSER, STAGES
 from summaries import flaw_of, values_of
 
 # Peaks [Pa] on the skin by test and place: of the test's own run, of which
@@ -34,15 +35,14 @@ OTHER_PERSON = ["Body/Phantom/Stature=1.62", "Body/Phantom/Mass=58",
                 "Output/Pictures=false"]
 
 
-def main_job(case, check_bound, read_summary):
+def main_job(case):
     """The scene runs from the charge to its report: peaks on the skin are the
     stored ones, the bounds of the summary of biomechanics hold, and every
     figure of the report is that of the files."""
     output = case.folder("run")
     _, out, _ = case.run(output, verbose=False)
     lines = out.splitlines()
-    with open(os.path.join(output, "log.txt"), encoding="utf-8") as file:
-        log = file.read().splitlines()
+    log = read_text(output, "log.txt").splitlines()
     lost = [line for line in lines
             if line not in log and "% of the simulated time" not in line]
     require(len(lines) <= LONGEST_SCREEN and not lost,
@@ -50,10 +50,10 @@ def main_job(case, check_bound, read_summary):
     here = f"report in {output}/report.html"
     require(here in lines and lines[lines.index(here) - 1].startswith("  "),
             f"the screen has no answer before the report's place: {out}")
-    prove(case, output, check_bound, read_summary)
+    prove(case, output)
 
 
-def main_job_surface(case, check_bound, read_summary):
+def main_job_surface(case):
     """The same with a person of a surface: the STL file that anatomy makes of
     a phantom of another stature, with the organs of the phantom."""
     person = case.folder("person")
@@ -61,14 +61,12 @@ def main_job_surface(case, check_bound, read_summary):
                            "anatomy")
     subprocess.run(
         [anatomy, case.options.other_file, "--output", person]
-        + [word for entry in OTHER_PERSON for word in ("--set", entry)],
-        check=True, stdout=subprocess.DEVNULL)
+        + overrides(OTHER_PERSON), check=True, stdout=subprocess.DEVNULL)
     output = case.folder("run")
     surface = os.path.abspath(os.path.join(person, "surface.stl"))
     case.run(output, ["--set", f"Body/Surface/File={surface}"])
-    prove(case, output, check_bound, read_summary)
-    with open(os.path.join(output, "scene.json"), encoding="utf-8") as file:
-        scene = json.load(file)
+    prove(case, output)
+    scene = read_json(output, "scene.json")
     fit = scene["organ_fit"]
     require(fit["checks_held"] == 1. and fit["inside"] >= 0.97
             and min(fit["brain_cover"], fit["lung_cover"]) >= 0.008,
@@ -78,7 +76,7 @@ def main_job_surface(case, check_bound, read_summary):
             f"the way that the person faces is not said: {scene['remarks']}")
 
 
-def prove(case, output, check_bound, read_summary):
+def prove(case, output):
     files = report_figures.Files(output)
     statuses = {stage["name"]: stage["status"]
                 for stage in files.scene["stages"]}
@@ -101,8 +99,7 @@ def prove(case, output, check_bound, read_summary):
 
 def check_audit(files, output):
     """The scene's audit has the limits of the blast's, and no others."""
-    with open(os.path.join(output, "log.txt"), encoding="utf-8") as file:
-        text = file.read()
+    text = read_text(output, "log.txt")
     # The log has the lines of all stages; the scene's audit is at its end.
     stages = text.rindex("\nstage ")
     lines = [line for line in text[stages:].splitlines(keepends=True)
@@ -189,9 +186,8 @@ def check_one_number(files, output):
             key = f"loads_{place}_{name}".replace(" ", "_")
             require(results[key] == value,
                     f"{key} is {results[key]}, the table has {value}")
-    with open(os.path.join(output, "log.txt"), encoding="utf-8") as file:
-        told = re.search(r"reaches the body at (\S+) ms with (\S+) kPa",
-                         file.read())
+    told = re.search(r"reaches the body at (\S+) ms with (\S+) kPa",
+                     read_text(output, "log.txt"))
     for text, name, scale in ((told[1], "arrival", 1e3),
                               (told[2], "peak_overpressure", 1e-3)):
         known = scale * results["probe_1_reference_" + name]

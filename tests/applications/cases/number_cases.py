@@ -11,7 +11,8 @@ import main_job_cases
 import report_figures
 import samples
 import scene_cases
-from report_figures import read_json, read_rows, require, require_chance
+from case import overrides, read_json, read_rows, read_text, require
+from report_figures import require_chance
 from report_reader import require_same
 from summaries import values_of
 
@@ -45,7 +46,7 @@ SCENES = {
         "Charge/Place=1.5, 1.5, 1.2", "Scene/End time=0.0028"]}
 
 
-def one_number(case, _check_bound, _read_summary):
+def one_number(case):
     """Six scenes tell each quantity with one value, whatever the output."""
     with concurrent.futures.ThreadPoolExecutor(AT_ONCE) as pool:
         outcomes = {name: pool.submit(prove, case, name, entries)
@@ -62,7 +63,7 @@ def one_number(case, _check_bound, _read_summary):
 def prove(case, name, entries):
     """Runs a scene and compares all that it tells; the count of numbers."""
     output = case.folder(name)
-    extra = [word for entry in entries for word in ("--set", entry)]
+    extra = overrides(entries)
     _, estimate, _ = case.run(output, extra + ["--estimate"])
     _, check, _ = case.run(output, extra + ["--check"])
     _, screen, _ = case.run(output, extra, verbose=False)
@@ -179,9 +180,7 @@ def check_screen(screen, files):
     while lines[place - 1].startswith("  "):
         place -= 1
         answer.insert(0, lines[place][2:])
-    with open(os.path.join(files.output, "headline.txt"),
-              encoding="utf-8") as file:
-        headline = file.read().splitlines()
+    headline = read_text(files.output, "headline.txt").splitlines()
     require(answer and answer == headline[:len(answer)],
             f"screen: {answer}, headline.txt: {headline}")
     return len(warnings) + len(answer)

@@ -4,8 +4,6 @@
 digits that are shown. The figures are worked out here anew, from the files
 alone."""
 
-import csv
-import json
 import math
 import operator
 import os
@@ -13,6 +11,7 @@ import re
 import statistics
 
 import report_reader
+from case import read_columns, read_json, read_rows, read_text, require
 from report_reader import require_same
 from summaries import flaw_of, values_of
 
@@ -70,22 +69,6 @@ CHECKED = ("injury_pressure_roughness",
              for degree in (2, 3, 4)))
 
 
-def require(holds, reason):
-    if not holds:
-        raise AssertionError(reason)
-
-
-def read_json(*names):
-    with open(os.path.join(*names), encoding="utf-8") as file:
-        return json.load(file)
-
-
-def read_rows(*names):
-    with open(os.path.join(*names), newline="", encoding="utf-8") as file:
-        return list(csv.DictReader(line for line in file
-                                   if not line.startswith("#")))
-
-
 class Files:
     """What the stages of a scene left."""
 
@@ -114,10 +97,7 @@ class Files:
         self._lungs_by_the_skin(self.skin)
         self.gauges = {}
         if os.path.exists(os.path.join(output, "blast", "load_gauges.csv")):
-            rows = read_rows(output, "blast", "load_gauges.csv")
-            self.gauges = {name.split(" [")[0]: [float(row[name])
-                                                 for row in rows]
-                           for name in rows[0]}
+            self.gauges = read_columns(output, "blast", "load_gauges.csv")
 
         # Of the run with larger cells and elements, by the names of
         # expected_injuries().
@@ -149,9 +129,8 @@ class Files:
 
     def entry(self, stage, name):
         """What a stage was given by an entry, whose name one section has."""
-        with open(os.path.join(self.output, stage, "parameters.prm"),
-                  encoding="utf-8") as file:
-            found = re.search(rf"set {name} *= *(.*)", file.read())
+        found = re.search(rf"set {name} *= *(.*)",
+                          read_text(self.output, stage, "parameters.prm"))
         return found[1] if found else ""
 
     def limit(self, stage, entry, usual):
@@ -706,9 +685,8 @@ def check_summary_file(page, files):
                  *(entry["text"] for entry in found["warnings"])]:
         require(text.replace("\u00a0", " ") in page.answer,
                 f"the page does not say «{text}»")
-    with open(os.path.join(files.output, "headline.txt"),
-              encoding="utf-8") as file:
-        require(file.read().splitlines() == found["text"], "headline.txt")
+    require(read_text(files.output, "headline.txt").splitlines()
+            == found["text"], "headline.txt")
     require(files.warnings == {entry["text"] for entry in found["warnings"]},
             f"report.json has other warnings than {files.warnings}")
     return len(told) + len(found["warnings"])
@@ -720,9 +698,8 @@ def check_log(_, files):
     path = os.path.join(files.output, "biomechanics", "log.txt")
     if not os.path.exists(path):
         return 0
-    with open(path, encoding="utf-8") as file:
-        told = re.findall(r"energy: (\S+) J kinetic, (\S+) J internal, work of "
-                          r"loads (\S+) J, missing (\S+) %", file.read())
+    told = re.findall(r"energy: (\S+) J kinetic, (\S+) J internal, work of "
+                      r"loads (\S+) J, missing (\S+) %", read_text(path))
     last = read_rows(files.output, "biomechanics", "history.csv")[-1]
     known = [float(last["kinetic_energy [J]"]), None,
              float(last["external_work [J]"]),

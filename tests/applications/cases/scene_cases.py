@@ -1,6 +1,5 @@
 """What tests of the application `scene` prove; kinds of run_case.py."""
 
-import csv
 import glob
 import html
 import json
@@ -15,24 +14,11 @@ import numpy
 import full_disk
 import resume_cases
 import samples
+from case import check_bound, read_bytes, read_json, read_rows, read_summary, \
+    read_text, require
 
 STAGES = ("anatomy", "blast", "biomechanics")
 ALL_STAGES = STAGES + ("coarser_blast", "coarser_biomechanics")
-
-
-def require(holds, reason):
-    if not holds:
-        raise AssertionError(reason)
-
-
-def read_json(*names):
-    with open(os.path.join(*names), encoding="utf-8") as file:
-        return json.load(file)
-
-
-def read_bytes(*names):
-    with open(os.path.join(*names), "rb") as file:
-        return file.read()
 
 
 def statuses(output):
@@ -42,23 +28,19 @@ def statuses(output):
 
 
 def injury_table(output):
-    path = os.path.join(output, "biomechanics", "injury.csv")
-    with open(path, newline="", encoding="utf-8") as file:
-        return {row["measure"]: float(row["value"])
-                for row in csv.DictReader(file)}
+    return {row["measure"]: float(row["value"])
+            for row in read_rows(output, "biomechanics", "injury.csv")}
 
 
 def require_body_mass(output):
     """Lungs are judged by the mass of the mesh, and those of an adult where the
     body has none, on the skin and in the body alike."""
     expected = read_json(output, "anatomy", "summary.json")["mass"]
-    with open(os.path.join(output, "anatomy", "quality.csv"), newline="",
-              encoding="utf-8") as file:
-        if not any((row["kind"], row["name"]) == ("tissue", "lung")
-                   for row in csv.DictReader(file)):
-            expected = 70.
+    if not any((row["kind"], row["name"]) == ("tissue", "lung")
+               for row in read_rows(output, "anatomy", "quality.csv")):
+        expected = 70.
     for stage in ("blast", "biomechanics"):
-        text = read_bytes(output, stage, "parameters.prm").decode()
+        text = read_text(output, stage, "parameters.prm")
         told = float(re.search(r"set Body mass *= (\S+)", text)[1])
         require(abs(told / expected - 1.) < 0.05,
                 f"{stage} has a body of {told} kg, not {expected}")
@@ -69,7 +51,7 @@ def require_charge(output):
     facts = read_json(output, "scene.json")
     words = re.search(r"subsection Charge 1\n.*?set Center *= ([^\n]*)\n"
                       r".*?set Mass *= (\S+)",
-                      read_bytes(output, "blast", "parameters.prm").decode(),
+                      read_text(output, "blast", "parameters.prm"),
                       re.S)
     place = [float(word) for word in words[1].split(",")]
     expected = [*place, place[2], float(words[2])]
@@ -135,16 +117,14 @@ def require_own_thresholds(case, output):
                           read_json(output, "scene.json")["changes"]],
                 f"{entry} is not among the changes")
         require("(the user's own)" in
-                read_bytes(output, "biomechanics", "injury.csv").decode(),
+                read_text(output, "biomechanics", "injury.csv"),
                 "injury.csv has no thresholds of the user")
 
 
 def mesh_density(output, tissue):
     """Of the mesh that anatomy made [kg/m^3]."""
-    path = os.path.join(output, "anatomy", "quality.csv")
-    with open(path, newline="", encoding="utf-8") as file:
-        row = next(row for row in csv.DictReader(file)
-                   if (row["kind"], row["name"]) == ("tissue", tissue))
+    row = next(row for row in read_rows(output, "anatomy", "quality.csv")
+               if (row["kind"], row["name"]) == ("tissue", tissue))
     return float(row["mass [kg]"]) / float(row["volume [m^3]"])
 
 
@@ -158,7 +138,7 @@ def require_repeatable(output):
             f"{line} gave {found.returncode}: {found.stdout}{found.stderr}")
 
 
-def scene_run(case, check_bound, read_summary):
+def scene_run(case):
     """Every stage runs and keeps the bounds of the biomechanics summary; with
     other entries, stages whose inputs are the same are taken as they are."""
     output = case.folder("run")
@@ -196,7 +176,7 @@ def scene_run(case, check_bound, read_summary):
             == loads, "the loads of a blast that was reused are new")
 
 
-def scene_own_mesh(case, _check_bound, _read_summary):
+def scene_own_mesh(case):
     """Hexahedra of one's own go through the chain as they are: all stages have as
     many, forecast, plan and report say so, errors of what happens in them are
     unknown, and another size of elements is refused."""
@@ -269,7 +249,7 @@ def peaks(output):
     return found
 
 
-def scene_ranks(case, _check_bound, _read_summary):
+def scene_ranks(case):
     """One rank and each of --ranks give the same injuries, the same loads on
     the body and the same peaks at probes."""
     expected, own = case.straight(1), case.options.tolerance
@@ -348,7 +328,7 @@ def is_started(record, since):
         return False
 
 
-def scene_sigkill(case, _check_bound, _read_summary):
+def scene_sigkill(case):
     """Killed three times in each stage and resumed, a scene goes on from the
     last checkpoint each time and ends with the same loads and injuries as
     without; a checkpoint of another build is refused and kept."""
@@ -393,7 +373,7 @@ def refuses_other_key(case, output, stage, extra):
         file.write(before)
 
 
-def scene_parallel_sigkill(case, _check_bound, _read_summary):
+def scene_parallel_sigkill(case):
     """Killed once in the blast and once in biomechanics on each of the first
     two of --ranks, a scene goes on from the last checkpoint and ends with the
     same injuries."""
@@ -410,7 +390,7 @@ def scene_parallel_sigkill(case, _check_bound, _read_summary):
                          f"after kills on {ranks} ranks")
 
 
-def scene_failure(case, _check_bound, _read_summary):
+def scene_failure(case):
     """A stage that fails ends the scene with its exit code and one line that
     names it; what is finished is kept and reused."""
     output = case.folder("run")
@@ -442,7 +422,7 @@ def no_room(case, folder, extra, ranks, limits, reason):
             "the blast counts as finished")
 
 
-def scene_full_disk(case, _check_bound, _read_summary):
+def scene_full_disk(case):
     """Files that may not grow as large as they must, on the last of --ranks, then
     a disk that fills, on 1 and each of --ranks: exit code 3 and one line each;
     the scene goes on once there is room."""

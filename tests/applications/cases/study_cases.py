@@ -1,8 +1,6 @@
 """What tests of the application `study` prove; kinds of run_case.py."""
 
-import csv
 import glob
-import json
 import os
 import resource
 import signal
@@ -10,13 +8,14 @@ import subprocess
 import time
 
 import full_disk
+from case import (check_bound, read_json, read_rows, read_summary, read_text,
+                  require)
 from folder_cases import read_only
 from machine_cases import told_once
 
 
 def read_table(output):
-    with open(os.path.join(output, "study.csv"), newline="") as file:
-        return list(csv.DictReader(file))
+    return read_rows(output, "study.csv")
 
 
 def outcome_files(output):
@@ -44,11 +43,6 @@ def processes_in(folder):
     return found
 
 
-def require(holds, reason):
-    if not holds:
-        raise AssertionError(reason)
-
-
 def write_study(case, name, lines):
     """A parameter file of its own, whose values may have semicolons."""
     path = case.folder(name)
@@ -57,7 +51,7 @@ def write_study(case, name, lines):
     return path
 
 
-def study_run(case, check_bound, read_summary):
+def study_run(case):
     """The study ends, keeps the bounds, draws its pictures, and recommends a
     file that gives the error it promises."""
     output = case.folder("run")
@@ -72,9 +66,8 @@ def study_run(case, check_bound, read_summary):
         require(os.path.getsize(path) > 10000, f"{path} is empty")
     wanted = min((row for row in table if float(row["error"]) <= 0.004),
                  key=lambda row: float(row["core [s]"]))
-    with open(os.path.join(output, "recommended.prm")) as file:
-        text = file.read()
-    require("Fields = true" in text, "recommended.prm writes no fields")
+    require("Fields = true" in read_text(output, "recommended.prm"),
+            "recommended.prm writes no fields")
     single = case.folder("recommended")
     blast = os.path.join(os.path.dirname(case.options.application), "blast")
     case.run(single, program=blast,
@@ -84,7 +77,7 @@ def study_run(case, check_bound, read_summary):
             f"recommended.prm has error {error} instead of {wanted['error']}")
 
 
-def study_failures(case, check_bound, read_summary):
+def study_failures(case):
     """Runs that are refused, unstable or too long are results."""
     base = os.path.join(os.path.dirname(case.options.file),
                         "../blast/verification/sod.prm")
@@ -114,8 +107,8 @@ def study_failures(case, check_bound, read_summary):
             "no reason for the instability")
     check_bound(read_summary(output), "status == finished")
     require(not processes_in(output), "processes were left")
-    with open(os.path.join(output, "study.md")) as table:
-        require("- refused: refused, " in table.read(), "study.md lacks it")
+    require("- refused: refused, " in read_text(output, "study.md"),
+            "study.md lacks it")
     summary = read_summary(output)
     require((summary["finished_variants"], summary["failed_variants"]) ==
             (1, 3), "the summary counts otherwise")
@@ -125,9 +118,8 @@ def study_failures(case, check_bound, read_summary):
         _, _, err = case.run(output, file=file, codes=(1,),
                              extra=["--resume", "--set", entry])
         require(f'did you mean "{name}"' in err, f"misspelt: {err}")
-    with open(os.path.join(output, "outputs.csv")) as outputs:
-        require('"errors.density_L1",' in outputs.read(),
-                "outputs.csv lacks an output")
+    require('"errors.density_L1",' in read_text(output, "outputs.csv"),
+            "outputs.csv lacks an output")
 
 
 def interrupted(case, end, extra=(), least=2):
@@ -149,7 +141,7 @@ def interrupted(case, end, extra=(), least=2):
     return process.returncode, before
 
 
-def resumed(case, before, check_bound, read_summary, output=None):
+def resumed(case, before, output=None):
     output = output or case.folder("run")
     case.run(output, extra=["--resume"])
     after = outcome_files(output)
@@ -163,7 +155,7 @@ def resumed(case, before, check_bound, read_summary, output=None):
     require(outcome_files(output) == after, "finished runs were repeated")
 
 
-def study_sigterm(case, check_bound, read_summary):
+def study_sigterm(case):
     """SIGINT ends study and runs with code 130, SIGTERM with 143; --resume does
     the rest."""
     output = case.folder("run")
@@ -175,14 +167,14 @@ def study_sigterm(case, check_bound, read_summary):
     require(code == 143, f"exit code {code}")
     require(first.items() <= before.items(), "a finished run was repeated")
     check_bound(read_summary(output), "status == stopped")
-    resumed(case, before, check_bound, read_summary)
+    resumed(case, before)
 
 
-def study_sigkill(case, check_bound, read_summary):
+def study_sigkill(case):
     """SIGKILL leaves no process behind; --resume does the rest."""
     code, before = interrupted(case, signal.SIGKILL)
     require(code == -signal.SIGKILL, f"exit code {code}")
-    resumed(case, before, check_bound, read_summary)
+    resumed(case, before)
 
 
 def fails(case, folder, process, reason):
@@ -194,16 +186,16 @@ def fails(case, folder, process, reason):
     require(len(err.strip().splitlines()) == 1 and reason in err,
             f"not one line with '{reason}': {err}")
     require(not processes_in(folder), f"left: {processes_in(folder)}")
-    with open(os.path.join(folder, "manifest.json")) as file:
-        require(json.load(file)["status"] != "finished", "it counts as finished")
+    require(read_json(folder, "manifest.json")["status"] != "finished",
+            "it counts as finished")
     return outcome_files(folder)
 
 
-def study_storage(case, check_bound, read_summary):
+def study_storage(case):
     """A folder that turns read-only in the middle of a study, then a full disk:
     exit code 3 and one line each; runs that had ended are not repeated."""
     if full_disk.NAMESPACE not in os.environ:
-        limited(case, check_bound, read_summary)
+        limited(case)
         return
     with full_disk.small_disk(case.folder("run"), 64 << 20) as (folder, _,
                                                                 grow):
@@ -222,10 +214,10 @@ def study_storage(case, check_bound, read_summary):
         after = fails(case, folder, process, "No space left on device")
         require(before.items() <= after.items(), "a finished run was repeated")
         grow()
-        resumed(case, after, check_bound, read_summary, folder)
+        resumed(case, after, folder)
 
 
-def limited(case, check_bound, read_summary):
+def limited(case):
     """As study_storage() where nothing can be mounted: in the middle of a study
     files may grow no more."""
     folder = case.folder("run")
@@ -236,10 +228,10 @@ def limited(case, check_bound, read_summary):
     full_disk.limit_running(process, 1)
     before = fails(case, folder, process, "File too large")
     require(0 < len(before) < 8, f"{len(before)} runs had ended")
-    resumed(case, before, check_bound, read_summary, folder)
+    resumed(case, before, folder)
 
 
-def study_quota(case, check_bound, read_summary):
+def study_quota(case):
     """Where not even the entries of a run can be asked for, the study ends with 3.
     Runs on 1 and on each of --ranks whose files may not grow as large as
     they must, while the small ones that the study itself writes may, then runs
@@ -252,18 +244,18 @@ def study_quota(case, check_bound, read_summary):
     for ranks in (1, *case.options.ranks):
         folder = case.folder(f"run_on_{ranks}")
         # Of 100 leaves there are many steps to tell of.
-        one_of_two(case, folder, ranks, "File too large", read_summary, lambda:
+        one_of_two(case, folder, ranks, "File too large", lambda:
                    full_disk.limit_files(100 << 10, ignore=False))
     if full_disk.NAMESPACE not in os.environ:
         return
     files = full_disk.sizes(os.path.join(folder, "variants"))
     with full_disk.small_disk(case.folder("disk"), sum(files) - (50 << 10)
                               + 4096 * len(files)) as (folder, limits, grow):
-        one_of_two(case, folder, ranks, "No space left on device", read_summary,
+        one_of_two(case, folder, ranks, "No space left on device",
                    limits, grow)
 
 
-def one_of_two(case, folder, ranks, reason, read_summary, limits,
+def one_of_two(case, folder, ranks, reason, limits,
                grow=lambda: None):
     """The second of two runs cannot write its files, for that reason, until it
     may grow()."""
@@ -318,11 +310,11 @@ def study_head(case):
     for coarse, fine in (table[:2], table[2:]):
         require(float(coarse["error"]) > float(fine["error"]) > 0. and
                 float(fine["order"]) > 0., "larger cells are no worse")
-    with open(os.path.join(output, "study.md"), encoding="utf-8") as text:
-        require("No run has" not in text.read(), "a column is empty")
+    require("No run has" not in read_text(output, "study.md"),
+            "a column is empty")
 
 
-def study_any_file(case, check_bound, read_summary):
+def study_any_file(case):
     """Files of other applications, and of one, two and three dimensions, as they
     are."""
     study_head(case)
@@ -356,7 +348,7 @@ def column_of(table, address):
     return [float(row[name]) for row in table]
 
 
-def study_distance(case, check_bound, read_summary):
+def study_distance(case):
     """A series of scenes over distance gives its curves: the columns of the table
     are what the scenes left, they fall with the distance, and are drawn."""
     output = case.folder("run")
