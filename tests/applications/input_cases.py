@@ -270,7 +270,7 @@ def refused_scenes():
     yield ("tissue of a shape that nobody knows", "scene",
            shipped(SCENE, end, entry("Body/Kind", "shape"),
                    entry("Body/Shape/Tissues", "cork")),
-           'Body/Shape/Tissues: "cork" is no tissue; Known are soft tissue')
+           'Body/Shape/Tissues: "cork" is no tissue; known are soft tissue')
     yield ("tissue of an image that nobody knows", "anatomy",
            shipped(ANATOMY, entry("Body/Kind", "image"),
                    entry("Body/Image/File", OTHER),

@@ -9,6 +9,7 @@ import contextlib
 import importlib.util
 import multiprocessing
 import os
+import subprocess
 import sys
 import tempfile
 import traceback
@@ -422,6 +423,25 @@ class SceneTest(SelfTest):
         self.rejects("exit code 0", *options, "--set=Large=")
 
 
+class NumbersTest(SelfTest):
+    program = "stand_in_numbers.py"
+
+    def setUp(self):
+        super().setUp()
+        subprocess.run([os.path.join(HERE, "stand_ins", self.program),
+                        os.path.join(self.root, "drawn")], check=True,
+                       stdout=subprocess.DEVNULL)
+
+    def test_one_number(self):
+        self.accepts("one_number")
+        for flaw, reason in [("estimate", "air: peak"), ("check", "--check: "),
+                             ("plan", "plan: "), ("answer", "headline.txt"),
+                             ("stage", "anatomy: the report shows '2.26 GiB'"),
+                             ("table", "impulse"), ("history", "end of blast"),
+                             ("report", "2.278")]:
+            self.rejects(reason, "one_number", flaw=flaw)
+
+
 class FolderTest(SelfTest):
     def setUp(self):
         super().setUp()
@@ -517,6 +537,15 @@ class StudyTest(SelfTest):
         self.rejects("is not == late", "study_run", "--bound=status == late")
         self.rejects("is empty", *options, flaw="blank")
         self.rejects("has error 0.5", *options, flaw="wrong")
+
+    def test_distance(self):
+        options = ("study_distance", "--set=Writes=distances")
+        self.accepts(*options)
+        self.rejects("loads_chest_peak: [", *options, flaw="wrong")
+        self.rejects("results.probe_1_peak_overpressure: [", *options,
+                     flaw="rising")
+        self.rejects("deaths: [", *options, flaw="deathless")
+        self.rejects("curves.png is empty", *options, flaw="blank")
 
     def test_sigterm(self):
         self.accepts("study_sigterm")

@@ -205,7 +205,7 @@ def check_histories(files):
     for stage in ("blast", "biomechanics"):
         summary = files.summary[stage]
         last = read_rows(files.output, stage, "history.csv")[-1]
-        require(int(last["step"]) == summary["steps"], f"{stage}: {last}")
+        require(float(last["step"]) == summary["steps"], f"{stage}: {last}")
         require_same(last["time [s]"], summary["time"], f"end of {stage}")
         count += 2
     summary = files.summary["blast"]

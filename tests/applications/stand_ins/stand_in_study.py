@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """A stand-in for the application study, and for the blast that it starts: eight
 runs of 0.1 s (or two, of which the second writes more), a table and a recommended
-file. Entry "Flaw" makes it misbehave in one way, see self_test.py."""
+file; or with "Writes=distances" the scenes of three distances. Entry "Flaw" makes it misbehave in one way, see self_test.py."""
 
 import csv
 import json
@@ -56,6 +56,29 @@ def finish():
     summarise("finished")
 
 
+def write_distances():
+    """Three scenes with results that fall, their table and its curves."""
+    rows = [["folder", "blast/results.probe_1_peak_overpressure",
+             "blast/results.loads_chest_peak",
+             "biomechanics/results.injury_intracranial_pressure_peak",
+             "blast/probe_injury.csv:lung_lethality probe 1:value"]]
+    for number, death in enumerate((0.99, 0.1, 0.)):
+        folder = path("variants", str(number), "run")
+        values = [1e5 * (number if flaw == "rising" else 3 - number)] * 3
+        row = [folder, *values, 0. if flaw == "deathless" else death]
+        # Either stage has the results of both.
+        results = {name.split("/results.")[1]: {"value": value, "unit": "Pa"}
+                   for name, value in zip(rows[0][1:], values)}
+        for stage in ("blast", "biomechanics"):
+            write(json.dumps({"results": results}), "variants", str(number),
+                  "run", stage, "summary.json")
+        row[2] += flaw == "wrong"
+        rows.append(row)
+    with open(path("study.csv"), "w", newline="", encoding="utf-8") as file:
+        csv.writer(file).writerows(rows)
+    write(" " * (1 if flaw == "blank" else 20000), "pictures", "curves.png")
+
+
 def main():
     stopped = []
     for asked in (signal.SIGINT, signal.SIGTERM):
@@ -88,6 +111,6 @@ if __name__ == "__main__":
         stand_in_for_blast()
     else:
         try:
-            main()
+            write_distances() if "Writes=distances" in sys.argv else main()
         except OSError as error:
             fail(error)
