@@ -38,12 +38,16 @@ TEST(CostForecast, ExtrapolatesBeyondBothLaws)
 
 TEST(CostForecast, RefinesLayersOfAnAdaptiveMesh)
 {
-  // Between surfaces and volume, but not faster than the trials where most of
-  // the mesh stays.
+  // Between surfaces and volume, beside what stays.
+  const auto cells = [](const double level) {
+    return 100. + 20. * std::pow(2., 2.25 * level);
+  };
   EXPECT_DOUBLE_EQ(extrapolate_cells(0., 3., 2, 2, 1), 24.);
   EXPECT_NEAR(extrapolate_cells(100., 500., 1, 3, 1), 2378., 1.);
-  EXPECT_NEAR(extrapolate_cells(100., 200., 2, 3, 1), 800., 1e-9);
-  EXPECT_NEAR(extrapolate_cells(100., 400., 1, 3, 2), 800., 1e-9);
+  EXPECT_NEAR(
+    extrapolate_cells(cells(0), cells(1), 2, 3, 1) / cells(3), 1., 1e-12);
+  EXPECT_NEAR(
+    extrapolate_cells(cells(0), cells(2), 1, 3, 2) / cells(3), 1., 1e-12);
   EXPECT_DOUBLE_EQ(extrapolate_cells(100., 90., 3, 3, 1), 90.);
 }
 

@@ -26,10 +26,11 @@ Tissue find_one_tissue(const std::string &name, const std::string &entry)
   if (!resolved.empty())
     return find_tissue(resolved);
   const std::string meant = nearest(name, known);
-  throw InputError(entry + ": \"" + name + "\" is " +
-                   (name == name_of(Tissue::none) ? "not a" : "no") +
-                   " tissue; " +
-                   (meant.empty() ? "" : "did you mean \"" + meant + "\"? ") +
-                   "Known are " + join(known, ", "));
+  throw InputError(
+    entry + ": \"" + name + "\" is " +
+    (name == name_of(Tissue::none) ? "not a" : "no") + " tissue; " +
+    (meant.empty() ? "known are "
+                   : "did you mean \"" + meant + "\"? Known are ") +
+    join(known, ", "));
 }
 } // namespace contrecoup

@@ -22,6 +22,22 @@ namespace
     prm.set(entry, static_cast<long int>(value - std::min(value, levels)));
   }
 
+  /// How often the coarse leaves can be halved in all directions. Meshes of
+  /// larger leaves have the levels of the scene wherever it has them.
+  unsigned int exact_halvings(const ParameterHandler &prm)
+  {
+    if (prm.get("Mesh") != "box")
+      return 0;
+    std::vector<std::string> words = split(prm.get("Coarse leaves"), ',');
+    words.resize(read_unsigned(prm, "Dimension"), "1");
+    unsigned int times = 0;
+    while (std::all_of(words.begin(), words.end(), [&](const auto &word) {
+      return std::stol(word) % (2L << times) == 0;
+    }))
+      ++times;
+    return times;
+  }
+
   /// Halves the number of coarse leaves per direction @p times; returns
   /// whether the last time changed any.
   bool halve_leaves(ParameterHandler &prm, const unsigned int times)
@@ -58,8 +74,14 @@ namespace
 } // namespace
 
 
-bool coarsen_scene(ParameterHandler &prm, const unsigned int levels)
+bool coarsen_scene(ParameterHandler &prm, const unsigned int all_levels)
 {
+  unsigned int halvings = 0;
+  {
+    const Section section(prm, "Domain");
+    halvings = std::min(all_levels, exact_halvings(prm));
+  }
+  const unsigned int levels = all_levels - halvings;
   unsigned int refinements = 0;
   bool adapts = false;
   {
@@ -81,7 +103,7 @@ bool coarsen_scene(ParameterHandler &prm, const unsigned int levels)
   {
     const Section section(prm, "First stage");
     for (const std::string entry : {"Cell size", "Spherical cell size"})
-      prm.set(entry, read_double(prm, entry) * std::pow(2., levels));
+      prm.set(entry, read_double(prm, entry) * std::pow(2., all_levels));
   }
   unsigned int initial = 0;
   {
@@ -94,7 +116,7 @@ bool coarsen_scene(ParameterHandler &prm, const unsigned int levels)
   // removes.
   coarsen_body(prm, std::min(levels, refinements) - std::min(levels, initial));
   const Section section(prm, "Domain");
-  const unsigned int halvings = levels - std::min(levels, refinements);
+  halvings += levels - std::min(levels, refinements);
   return prm.get("Mesh") == "box" ? halve_leaves(prm, halvings) : halvings == 0;
 }
 } // namespace contrecoup::coupling

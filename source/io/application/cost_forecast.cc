@@ -82,6 +82,12 @@ namespace io
       return stage.cell_steps == stage.steps * stage.largest_cells;
     }
 
+    /// Whether the mesh of the last stage changed in a trial.
+    bool has_changed(const Trial &trial)
+    {
+      return !trial.stages.empty() && !is_constant(trial.stages.back());
+    }
+
     /// The last two trials, and the solver's estimate of the scene's cells.
     struct Trials
     {
@@ -304,9 +310,9 @@ namespace io
                            const unsigned int gap)
   {
     const double usual = 0.75 * dimension;
-    const double rate =
-      before > 0. ? std::log2(std::max(1., last / before)) / gap : usual;
-    return last * std::pow(2., (rate < dimension - 1. ? rate : usual) * levels);
+    // With growth alone where the trials say nothing.
+    return before > 0. ? extrapolate(before, last, levels, 0., usual, gap)
+                       : last * std::pow(2., usual * levels);
   }
 
   double extrapolate_to_limit(const double before,
@@ -334,11 +340,16 @@ namespace io
       description.coarsen ? first_levels(rough, budget) : 0, 0));
     for (int levels = begin; levels >= end; --levels)
     {
-      // Extrapolation needs at least two trials.
-      const double allowed = set ? std::numeric_limits<double>::infinity()
-                                 : std::clamp(long_run_part * result.seconds,
-                                              budget,
-                                              most_budgets * budget);
+      // Extrapolation needs at least two trials, the last with refined cells
+      // where the mesh changes.
+      const bool is_informed =
+        !adapts || trials.empty() || has_changed(trials.back());
+      const double allowed =
+        set ? std::numeric_limits<double>::infinity()
+            : std::clamp(is_informed ? long_run_part * result.seconds
+                                     : most_budgets * budget,
+                         budget,
+                         most_budgets * budget);
       if (trials.size() > 1 && spent + expected > allowed)
         break;
       const auto trial =

@@ -133,10 +133,11 @@ void OwnThresholds::parse_parameters(ParameterHandler &prm,
     if (measure.name.empty())
     {
       const std::string meant = nearest(name, known);
-      throw InputError(
-        measure.path + ": there is no such measure of injury; " +
-        (meant.empty() ? "" : "did you mean \"" + meant + "\"? ") +
-        "Known are " + join(known, ", "));
+      throw InputError(measure.path + ": there is no such measure of injury; " +
+                       (meant.empty()
+                          ? "known are "
+                          : "did you mean \"" + meant + "\"? Known are ") +
+                       join(known, ", "));
     }
     if (find(measure.name) != nullptr)
       throw InputError(measure.path + ": a second section of this measure");

@@ -13,8 +13,9 @@ namespace io
    * Predicts the cost of a scene on this machine from trial runs on coarser
    * meshes. Each trial has cells half as large as the previous one. The last
    * trial is the finest within @p budget seconds of processor time, or within
-   * up to five budgets if they are a hundredth of the scene's cost. A scene
-   * cheaper than that is run as it is, which gives the exact cost.
+   * up to five budgets if they are a hundredth of the scene's cost, or if all
+   * trials before were too coarse for the mesh to change. A scene cheaper than
+   * that is run as it is, which gives the exact cost.
    *
    * The last two trials give, for each number of dimensions d that the mesh
    * has during the run:
@@ -72,8 +73,7 @@ namespace io
    * last; it was @p before at @p gap levels earlier, 0: unknown. Cells in
    * layers of some leaves along fronts and surfaces grow by more than
    * 2^(dimension - 1) a level and less than 2^dimension, by 2^(3/4 dimension)
-   * within a fifth in runs of 2-D and 3-D blasts; where most of the mesh stays
-   * as it is, the trials' own rate counts.
+   * within a fifth in runs of 2-D and 3-D blasts; the rest stays as it is.
    */
   double extrapolate_cells(double before,
                            double last,
