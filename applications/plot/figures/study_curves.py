@@ -137,6 +137,11 @@ def is_lower_limit(row, column):
     return bool(row.get("lower_limits")) and row["lower_limits"][column]
 
 
+def mark_lower_limit(axis, x, y):
+    axis.annotate("↑", (x, y), (0, 3), ha="center", fontsize=11,
+                  textcoords="offset points")
+
+
 def draw_curve(axis, study, across, column, lines):
     """An output over a factor; arrows upwards where it is a lower limit."""
     found = [value(row, column) for row in study["rows"]]
@@ -152,11 +157,10 @@ def draw_curve(axis, study, across, column, lines):
                   marker=work_precision.MARKERS[
                       number % len(work_precision.MARKERS)])
     limits = [row for row in study["rows"] if is_lower_limit(row, column)]
+    for row in limits:
+        mark_lower_limit(axis, row["numbers"][across],
+                         value(row, column) * scale)
     if limits:
-        axis.plot([row["numbers"][across] for row in limits],
-                  [value(row, column) * scale for row in limits],
-                  linestyle="", marker=r"$\uparrow$", markersize=14,
-                  color="black", zorder=3)
         axis.set_title("↑ cut off by the end of the run", fontsize=8)
     reference = study["reference_columns"]
     if reference and reference[column] is not None:
@@ -205,9 +209,8 @@ def _draw_chart_of(study, factors, places, columns, folder, name):
         draw_contours(figure, axis, study["columns"][column], x, y, grid)
         for row in study["rows"]:
             if is_lower_limit(row, column):
-                place = row["numbers"][across], row["numbers"][upwards]
-                axis.annotate("↑", place, (0, 2), ha="center", fontsize=9,
-                              textcoords="offset points")
+                mark_lower_limit(axis, row["numbers"][across],
+                                 row["numbers"][upwards])
         label_x(axis, study["factors"][across], x)
         axis.set_ylabel(factor_label(study["factors"][upwards]))
         if spans(y, LOGARITHMIC_X):
