@@ -105,6 +105,12 @@ def read_domain(output):
             for entry in ("Lower corner", "Upper corner", "Coarse leaves")]
 
 
+def entries_of(domain_values):
+    """Of the domain, by the names of lists of numbers."""
+    return [f"Domain/{name}=" + ", ".join(f"{value:.15g}" for value in values)
+            for name, values in domain_values.items()]
+
+
 def farther(output, number):
     """Entries that move the open sides of a run's domain, all but those at y
     and z = 0, out by a number of coarse leaves."""
@@ -115,10 +121,8 @@ def farther(output, number):
         lower[d] -= number * edge * (sides - 1)
         upper[d] += number * edge
         leaves[d] += number * sides
-    texts = [", ".join(f"{value:.15g}" for value in values)
-             for values in (lower, upper, leaves)]
-    return overrides(f"Domain/{entry}={text}" for entry, text in zip(
-        ("Lower corner", "Upper corner", "Coarse leaves"), texts))
+    return overrides(entries_of({"Lower corner": lower, "Upper corner": upper,
+                                 "Coarse leaves": leaves}))
 
 
 def largest_difference(output, other):
@@ -173,7 +177,7 @@ def facet_loads(case):
         check_bound(summary, bound)
 
 
-def whole_body(case, check_bound, read_summary):
+def whole_body(case):
     """Impulses of a body that a plane of symmetry y = 0 halves are those of the
     whole one: bounds of the relative "difference" from a run without the
     plane, of the impulse "across" the plane, and of the fractions of the gas
@@ -183,11 +187,9 @@ def whole_body(case, check_bound, read_summary):
     lower, upper, leaves = read_domain(halves)
     whole = case.folder("whole")
     lower[1], leaves[1] = -upper[1], 2. * leaves[1]
-    texts = [", ".join(f"{value:.15g}" for value in values)
-             for values in (lower, leaves)]
-    case.run(whole, extra=["--set", f"Domain/Lower corner={texts[0]}",
-                           "--set", f"Domain/Coarse leaves={texts[1]}",
-                           "--set", "Boundaries/y low=open"])
+    case.run(whole, extra=overrides(
+        [*entries_of({"Lower corner": lower, "Coarse leaves": leaves}),
+         "Boundaries/y low=open"]))
     one, two = (read_summary(output) for output in (halves, whole))
     impulses = [[values_of(summary, "results").get("loads_impulse_" + axis, 0.)
                  for axis in "xyz"] for summary in (one, two)]

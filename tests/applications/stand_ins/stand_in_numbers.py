@@ -48,10 +48,12 @@ OTHERS = {"estimate": ("peak 314.4", "peak 315.4"),
 
 def draw(folder):
     """The tiny scene with what the report does not read, and its report."""
-    sys.path[:0] = [os.path.join(HERE, "..", "..", "plot"),
+    sys.path[:0] = [os.path.join(HERE, "..", "cases"),
+                    os.path.join(HERE, "..", "..", "plot"),
                     os.path.join(HERE, "..", "..", "..", "applications")]
     import numpy
     import tiny_scene
+    from case import read_rows
     from plot import command_line
 
     def change(name, *groups):
@@ -66,12 +68,12 @@ def draw(folder):
 
     tiny_scene.write_all(folder)
     end, steps = tiny_scene.TIMES[-1], numpy.arange(len(tiny_scene.TIMES))
-    results = {f"loads_{place}_{name}".replace(" ", "_"): value
-               for place, (*_, peak) in tiny_scene.GAUGES.items()
-               for name, value in (
-                   ("arrival", tiny_scene.BEGIN), ("peak", peak),
-                   ("peak time", tiny_scene.BEGIN), ("impulse", 0.38e-3 * peak),
-                   ("positive phase", 1e-3))}
+    results = {}
+    for row in read_rows(folder, "blast", "gauge_measures.csv"):
+        place = row.pop("place")
+        results.update({
+            f"loads_{place} {name.split(' [')[0]}".replace(" ", "_"):
+            float(value) for name, value in row.items()})
     results["probe_1_reference_arrival"] = 1.8e-3
     change("scene.json", ({"plan": PLAN},), ("tables", "answer", {
         "impulse": 221.7, "arrival": 1.8e-3, "duration": 2.38e-3}))
