@@ -69,6 +69,32 @@ class PlanesTest(unittest.TestCase):
                                       np.arange(6.).reshape(2, 3))
         np.testing.assert_array_equal(found["part"], np.arange(4))
 
+    def test_cut(self):
+        """A plane cuts cells in polygons that fill its section, also where
+        their edges are oblique to it."""
+        x, y, z = (axis.ravel() for axis in np.meshgrid(
+            *[np.arange(3.)] * 3, indexing="ij"))
+        first = [9 * i + 3 * j + k for i in (0, 1) for j in (0, 1)
+                 for k in (0, 1)]
+        connectivity = np.array([[corner + step for step in (
+            0, 9, 12, 3, 1, 10, 13, 4)] for corner in first])
+        for angle in (0., 0.5):
+            cosine, sine = np.cos(angle), np.sin(angle)
+            points = np.stack([cosine * x - sine * y, sine * x + cosine * y,
+                               z], axis=1)
+            mesh = {"points": points, "connectivity": connectivity.ravel()}
+            for normal, place, area in (
+                    (1, 0.9, 2. * min(2. / cosine, 0.9 * (
+                        1. / cosine / sine) if sine else 9.)), (2, 0.5, 4.)):
+                shape, found = fields.cut(mesh, place, normal)
+                u, v = shape[:, :, 0], shape[:, :, 1]
+                areas = 0.5 * np.abs((u * np.roll(v, -1, 1)
+                                      - np.roll(u, -1, 1) * v).sum(axis=1))
+                self.assertAlmostEqual(areas.sum(), area, 6)
+                self.assertEqual(len(shape), len(found))
+                if normal == 2 or not angle:
+                    self.assertEqual(len(found), 4)
+
     def test_collection(self):
         """Planes and skin of a collection are not taken for volumes."""
         with open(os.path.join(self.folder, "fields.pvd"), "w",

@@ -80,18 +80,8 @@ def draw_outside(mesh, path):
 
 def draw_cut(axis, mesh, normal, place):
     """Where the plane x_normal = place cuts cells, by tissue."""
-    connectivity = mesh["connectivity"].reshape(-1, 8)
-    ends = mesh["points"][:, normal][connectivity]
-    cut = np.flatnonzero((ends.min(axis=1) <= place)
-                         & (ends.max(axis=1) > place))
     others = [d for d in range(3) if d != normal]
-    corners = mesh["points"][connectivity[cut]]
-    # The four edges along the normal, around the cell.
-    begin, end = (corners[:, list(side)] for side in fields.EDGES[normal])
-    height = end[:, :, normal] - begin[:, :, normal]
-    part = np.clip((place - begin[:, :, normal])
-                   / np.where(height == 0., 1., height), 0., 1.)[:, :, None]
-    polygons = ((1. - part) * begin + part * end)[:, :, others]
+    polygons, cut = fields.cut(mesh, place, normal)
     tissues = mesh["tissue"][cut]
     axis.add_collection(PolyCollection(
         polygons, facecolors=[colour_of(number) for number in tissues],

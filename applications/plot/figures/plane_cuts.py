@@ -35,6 +35,26 @@ def largest_overpressure(planes):
                for plane in planes)
 
 
+def _limits(planes, shown):
+    """Lower and upper limits of that part of the plane in which anything is to
+    be seen at any time, along both axes."""
+    first = planes[0]
+    # Bodies have no values.
+    seen = np.any([~(np.abs(values) <= wave_times.SEEN
+                     * np.nanmax(np.abs(values))) for values in shown], axis=0)
+    left, right, bottom, top = first.extent()
+    limits = []
+    for low, high, part in ((left, right, seen.any(axis=0)),
+                            (bottom, top, seen.any(axis=1))):
+        places = np.flatnonzero(part)
+        step = (high - low) / part.size
+        margin = 0.05 * (high - low)
+        limits.append((low, high) if not places.size else
+                      (max(low, low + step * places[0] - margin),
+                       min(high, low + step * (places[-1] + 1) + margin)))
+    return limits
+
+
 def draw_planes(planes, path, one_scale=False):
     """The quantity at these times, each with its own colour scale or all with
     one."""
@@ -44,8 +64,8 @@ def draw_planes(planes, path, one_scale=False):
                                for values in shown])
     columns = 1 if len(planes) < 3 else 3
     rows = -(-len(planes) // columns)
-    width = planes[0].upper[0] - planes[0].lower[0]
-    height = planes[0].upper[1] - planes[0].lower[1]
+    limits = _limits(planes, shown)
+    width, height = (high - low for low, high in limits)
     side = 8. if columns == 1 else 3.3
     panel = np.clip((side - 1.) * height / width, 1.2, 8.)
     figure, axes = plt.subplots(
@@ -62,6 +82,8 @@ def draw_planes(planes, path, one_scale=False):
                                        * columns):
             _draw_bar(figure, axis, plane, image)
         axis.set_title(_time(plane, planes))
+    # All axes share these.
+    axes[0, 0].set(xlim=limits[0], ylim=limits[1])
     for axis in axes[:, 0]:
         axis.set_ylabel(style.label(planes[0].axes[1], "m"))
     for axis in axes[-1, :]:

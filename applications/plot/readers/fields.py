@@ -7,11 +7,14 @@ import re
 
 import numpy as np
 
-from plot.readers import vtk_file
+from plot.readers import cuts, vtk_file
 
 # Corners at the beginning and the end of the four edges along each axis.
 EDGES = [((0, 3, 7, 4), (1, 2, 6, 5)), ((0, 1, 5, 4), (3, 2, 6, 7)),
          ((0, 1, 2, 3), (4, 5, 6, 7))]
+PARALLEL = 1e-3  # by which such edges may be aside, over their length
+# The corners numbered as binary digits of z, y, x.
+BY_DIGITS = [0, 1, 3, 2, 4, 5, 7, 6]
 
 
 def list_fields(folder):
@@ -35,15 +38,25 @@ def list_fields(folder):
     return result
 
 
-def cut(mesh, place):
-    """Polygons (x, z) of the cells that y = place cuts, and their numbers."""
+def cut(mesh, place, normal=1):
+    """Polygons, of the other two axes, in which the plane at a place normal to an
+    axis cuts cells, and the numbers of these. Cells whose edges are along that
+    axis have one each, others several."""
     connectivity = mesh["connectivity"].reshape(-1, 8)
-    ends = mesh["points"][:, 1][connectivity]
+    ends = mesh["points"][:, normal][connectivity]
     found = np.flatnonzero((ends.min(axis=1) <= place)
                            & (ends.max(axis=1) > place))
+    others = [axis for axis in range(3) if axis != normal]
     corners = mesh["points"][connectivity[found]]
-    begin, _ = (corners[:, list(side)] for side in EDGES[1])
-    return begin[:, :, [0, 2]], found
+    begin, end = (corners[:, list(side)] for side in EDGES[normal])
+    size = np.ptp(ends[found], axis=1)
+    aside = np.abs(end - begin)[:, :, others].max(axis=(1, 2))
+    is_tilted = (aside > PARALLEL * size) | (
+        np.ptp(begin[:, :, normal], axis=1) > PARALLEL * size)
+    shape, owners = cuts.cut_hexahedra(corners[is_tilted][:, BY_DIGITS],
+                                       normal, place, others)
+    return (np.concatenate([begin[~is_tilted][:, :, others], shape]),
+            np.concatenate([found[~is_tilted], found[is_tilted][owners]]))
 
 
 def cut_fields(fields, place):

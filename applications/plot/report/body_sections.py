@@ -76,10 +76,10 @@ def waves(scene):
                     "scale for all times: red is compression, blue tension. "
                     "Colours follow the square root of the pressure."
                     + stiff),
-        page.figure(beside, f"The body cut {place:.3g} m beside its middle, "
+        page.figure(beside, f"The body cut {place:.2g} m beside its middle, "
                     f"coloured by the pressure, {_span(panels_beside)}, after "
                     f"{times}.",
-                    f"Pressure in a parallel plane, y = {place:.3g} m, "
+                    f"Pressure in a parallel plane, y = {place:.2g} m, "
                     f"through {tissues}, with one colour scale for all "
                     "times.")]
     if head is not None:

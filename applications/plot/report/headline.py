@@ -44,7 +44,7 @@ class Lead:
             "body_mass"))
         self.lungs = "" if mass is None or not any(
             row.get("name") in LUNGS for row in _rows(scene)) else (
-                f"; lungs of a person of {page.number(mass)} kg")
+                f"; lungs of a person of {page.given(float(f'{mass:.3g}'), 'kg')}")
         self.reflections = reflections.note(scene)
         self.file = _comparison_file(scene)
 
@@ -125,8 +125,9 @@ def _equivalence(scene):
                          for name in ("pressure", "impulse"))
     if None in (pressure, impulse) or pressure == impulse == 1.:
         return ""
-    return (f" (as {page.number(pressure)} times the mass of TNT for "
-            f"pressures, {page.number(impulse)} for impulses: "
+    return (f" (as {page.number(pressure)} times the mass of TNT"
+            + ("" if pressure == impulse else
+               f" for pressures, {page.number(impulse)} for impulses") + ": "
             + (known.get("source") or "unknown source")
             + ("" if known.get("is_published") else ", not measured") + ")")
 

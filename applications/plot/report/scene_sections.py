@@ -44,7 +44,8 @@ def facts(scene):
     if along is not None:
         add("distance to the skin along x", page.given(along, "m"))
     add("body", scene.facts.get("body"))
-    add("person", person.words(scene))
+    add("size of the body" if person.axes(scene) is None else "person",
+        person.words(scene))
     if person.place_of_charge(scene) != "from":
         add("side of the charge", person.place_of_charge(scene)
             + " the person")
@@ -102,9 +103,23 @@ def section(scene):
         _draw(scene), f"Drawing of the {scene.explosive_name()} charge, "
         f"{page.given(float(scene.charge_place()[2]), 'm')} above the "
         "ground, and of the body before it, seen from the side.",
-        f"The scene from the side, to scale. {ways}Grey: the "
+        f"The scene from the side, to scale. {ways}{_beside(scene)}Grey: the "
         "skin that the blast loads.", "svg"))
     return parts
+
+
+def _beside(scene):
+    """Why drawn ways are shorter than they are told, where they are."""
+    target = _target(scene)
+    if target is None:
+        return ""
+    # The picture is seen from -y.
+    behind = float(scene.charge_place()[1] - target[1])
+    way = float(np.linalg.norm(scene.charge_place() - target))
+    return "" if way < 1.02 * np.sqrt(max(way**2 - behind**2, 0.)) else (
+        f"The charge is {page.given(float(f'{abs(behind):.3g}'), 'm')} "
+        f"{'behind' if behind > 0. else 'before'} that place, and lengths are "
+        "those in space. ")
 
 
 def _sentence(text):
