@@ -103,7 +103,7 @@ def section(scene, judged):
         ("measure", "coarser run", "this run", "estimated error"), rows,
         page.tag(
             "span", "The coarser run has cells of twice the size"
-            + (", and no body: hexahedra of one's own have no larger ones, and "
+            + (", and no body: your own hexahedra have no coarser mesh, and "
                "errors of what happens in the body are unknown"
                if scene.has_own_mesh() else " and elements of 5/3 of the size")
             + ". The estimated error is the difference of both runs over r", page.tag("sup", ORDER), " − 1 with the ratio r of "

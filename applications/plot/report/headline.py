@@ -272,7 +272,7 @@ def _verdicts(scene, judged):
              and entry.is_certain() is not None]
     if not known:
         return ["The numerical error of these verdicts is unknown: "
-                + ("hexahedra of one's own have no larger ones."
+                + ("your own hexahedra have no coarser mesh."
                    if scene.has_own_mesh() else
                    "the scene has no coarser run.")] if judged else []
     open_ones = [entry for entry in known if not entry.is_certain()]

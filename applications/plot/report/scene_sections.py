@@ -52,7 +52,8 @@ def facts(scene):
     for name, unit in (("Rotation", "degrees about x, y, z"), ("Shift", "m")):
         value = scene.parameters.get(f"Body/{name}")
         if value and np.any(files.points_of(value)):
-            add(f"{name.lower()} of the body", f"{value} {unit}")
+            add(f"{name.lower()} of the body",
+                ", ".join(map(str.strip, value.split(","))) + f" {unit}")
     symmetry = scene.facts.get("symmetry")
     add("plane of symmetry", f"{symmetry} = 0" if symmetry in ("x", "y", "z")
         else symmetry)
@@ -66,7 +67,8 @@ def facts(scene):
         add("gas cells at the skin", _millimetres(scene.cell_size()))
     if scene.element_size() and scene.facts.get("question") != "loads":
         add("mean edge of the body's own hexahedra" if scene.has_own_mesh()
-            else "elements of the body", _millimetres(scene.element_size()))
+            else "elements of the body",
+            _millimetres(float(f"{scene.element_size():.3g}")))
     return page.table(("item", "value"), rows)
 
 
@@ -84,7 +86,9 @@ def section(scene):
             [(page.tag("code", row.get("entry", "")), row.get("value", ""),
               row.get("before", "")) for row in changes]))
     remarks = [_sentence(str(remark))
-               for remark in scene.facts.get("remarks") or []]
+               for remark in scene.facts.get("remarks") or []
+               # Those stand in the list of warnings.
+               if not str(remark).startswith("WARNING")]
     if scene.facts.get("body") == "image":
         remarks.append("The body ends where the images end, and the blast "
                        "passes there as well.")

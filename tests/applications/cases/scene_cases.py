@@ -202,7 +202,7 @@ def scene_own_mesh(case):
     require(measures and all(entry["least"] is None for entry in measures),
             f"errors are known: {measures}")
     page = html.unescape(read_bytes(output, "report.html").decode())
-    require(page.count("hexahedra of one's own have no larger ones") == 2,
+    require(page.count("your own hexahedra have no coarser mesh") == 2,
             "the report does not say why")
     _, _, err = case.run(case.folder("sized"), [
         "--set", "Scene/Element size=0.005"], codes=(1,))
