@@ -87,7 +87,7 @@ TEST(Person, IsDescribedByStatureAndMass)
     "a standing person of 1.62 m and 58 kg");
   EXPECT_EQ(person_by({"Phantom/Stature=1.6", "Scale=0.5"}).length(), 0.8);
   EXPECT_EQ(person_by({"Kind=shape"}).description(),
-            "a shape of 1.8 m and 58 kg");
+            "a shape of 58 kg, 1.8 m high");
   EXPECT_FALSE(person_by({"Kind=shape"}).axes());
   EXPECT_TRUE(std::isnan(person_by({"Kind=shape"}).charge_azimuth()));
   EXPECT_EQ(person_by({"Kind=shape"}).side_to_charge(), "");

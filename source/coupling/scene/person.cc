@@ -129,13 +129,17 @@ std::string Person::posture() const
 
 std::string Person::description() const
 {
-  const std::string size =
-    " of " + brief(length_, 4) + " m and " + brief(mass_, 3) + " kg";
+  const std::string length = brief(length_, 4), mass = brief(mass_, 3);
+  const std::string size = " of " + length + " m and " + mass + " kg";
   if (kind_ == "image")
     return "a body of medical images" + size;
+  // What is no stature is called a height.
+  const std::string height = " of " + mass + " kg, " + length + " m high";
   if (!axes_)
-    return "a " + kind_ + size;
+    return "a " + kind_ + height;
   const std::string posture_name = posture();
+  if (is_seated_ && posture_name == "seated")
+    return "a seated person" + height;
   return std::string(posture_name == "inclined" ? "an " : "a ") +
          (posture_name == "upside down" ? "person upside down"
                                         : posture_name + " person") +

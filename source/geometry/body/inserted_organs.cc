@@ -139,21 +139,63 @@ namespace
   }
 
 
+  constexpr double far = 10.; // beyond any person [m]
+
+  /// What a cube of edge 2 far around a place leaves of a shape.
+  ShapePointer cut(const ShapePointer &shape, const Point<3> &middle)
+  {
+    return std::make_shared<Intersection>(
+      shape, std::make_shared<RoundedBox>(middle, Point<3>(far, far, far)));
+  }
+
+
+  /// Brings the bones of arms and legs into these.
+  /// @param knee height of the donor's knees, for who sits [m]
+  void fit_limbs(Warps &warps,
+                 const ShapeBody &donor,
+                 const Shape &surface,
+                 const std::optional<double> knee,
+                 const double scale)
+  {
+    constexpr double spacing = 0.007, depth = 0.001;
+    for (const unsigned int side : {0, 1})
+    {
+      const auto warp = [&](const Region left) -> SectionWarp & {
+        return warps[static_cast<unsigned int>(left) + side];
+      };
+      const auto bring_inside = [&](const Region left,
+                                    const ShapePointer &bones) {
+        warp(left) = with_limb_inside(warp(left),
+                                      surface,
+                                      OrganSurface(*bones, spacing, 0.),
+                                      depth / scale);
+      };
+      const auto of_side = [&](const std::string &name) {
+        return cut(find_part(donor.part_shapes(), name).shape,
+                   Point<3>(0., side == 0 ? far : -far, 0.));
+      };
+      bring_inside(Region::left_arm, of_side("arm bones"));
+      const ShapePointer legs = of_side("leg bones");
+      if (knee)
+      {
+        bring_inside(Region::left_leg, cut(legs, {0., 0., *knee - far}));
+        bring_inside(Region::left_thigh, cut(legs, {0., 0., *knee + far}));
+        continue;
+      }
+      bring_inside(Region::left_leg, legs);
+      warp(Region::left_thigh) = warp(Region::left_leg);
+    }
+  }
+
+
   /// A shape in the regions of both sides of the body, warped.
   ShapePointer warp_sides(const ShapePointer &shape,
                           const SectionWarp &left,
                           const SectionWarp &right)
   {
-    constexpr double far = 10.;
-    std::vector<ShapePointer> sides;
-    for (const double side : {1., -1.})
-      sides.push_back(std::make_shared<WarpedShape>(
-        std::make_shared<Intersection>(
-          shape,
-          std::make_shared<RoundedBox>(Point<3>(0., side * far, 0.),
-                                       Point<3>(far, far, far))),
-        side > 0. ? left : right));
-    return std::make_shared<Union>(sides);
+    return std::make_shared<Union>(std::vector<ShapePointer>{
+      std::make_shared<WarpedShape>(cut(shape, {0., far, 0.}), left),
+      std::make_shared<WarpedShape>(cut(shape, {0., -far, 0.}), right)});
   }
 
 
@@ -163,17 +205,13 @@ namespace
   bend_legs(const ShapePointer &bones, const Warps &warps, const double knee)
   {
     // Both ends reach a little beyond the knee, so that they meet.
-    constexpr double far = 10., overlap = 0.02;
+    constexpr double overlap = 0.02;
     std::vector<ShapePointer> parts;
     for (const double side : {1., -1.})
     {
       const Region first = side > 0. ? Region::left_thigh : Region::left_leg;
       parts.push_back(
-        warp_sides(std::make_shared<Intersection>(
-                     bones,
-                     std::make_shared<RoundedBox>(
-                       Point<3>(0., 0., knee + side * (far - overlap)),
-                       Point<3>(far, far, far))),
+        warp_sides(cut(bones, {0., 0., knee + side * (far - overlap)}),
                    warps[static_cast<unsigned int>(first)],
                    warps[static_cast<unsigned int>(first) + 1]));
     }
@@ -314,11 +352,14 @@ BodyPointer insert_organs(const Body &recipient,
   const PersonRegions donor_regions = find_regions(*donor.surface());
   Warps warps = warp_between(donor_regions, person.regions);
   OrganFit organ_fit;
-  fit(warps,
-      organ_fit,
-      donor,
-      PlacedShape(without_steps(recipient.surface()), to_standing),
-      insertion.scale);
+  const PlacedShape smooth(without_steps(recipient.surface()), to_standing);
+  fit(warps, organ_fit, donor, smooth, insertion.scale);
+  fit_limbs(warps,
+            donor,
+            smooth,
+            person.regions.thigh_height ? std::optional(donor_regions.knee())
+                                        : std::nullopt,
+            insertion.scale);
   std::vector<PartShape> part_shapes =
     warp_organs(donor, donor_regions, person.regions, warps);
   organ_fit.inside = part_inside(part_shapes, *standing);

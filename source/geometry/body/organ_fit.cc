@@ -40,10 +40,91 @@ namespace
       pair.ratio[d] *= factor;
     }
   }
+
+  /// What brings the points around a section to the wanted depth.
+  struct Change
+  {
+    double factor = 1.; ///< of widths
+    Tensor<1, 3> move;  ///< sum over points that are not deep enough [m]
+    double n = 0.;      ///< number of these
+  };
+
+
+  /// By section; empty where all points are deep enough.
+  std::vector<Change> find_changes(const SectionWarp &warp,
+                                   const Shape &surface,
+                                   const OrganSurface &organ,
+                                   const double depth)
+  {
+    const std::vector<SectionPair> &pairs = warp.pairs();
+    std::vector<Change> changes(pairs.size());
+    bool all_fit = true;
+    const std::vector<double> depths = organ.depths(surface, warp);
+    for (std::size_t n = 0; n < depths.size(); ++n)
+    {
+      const double missing = depth - depths[n];
+      if (missing <= 0.)
+        continue;
+      all_fit = false;
+      const Point<3> &point = organ.points()[n];
+      const Point<3> place = warp.apply(point);
+      const double station = warp.frame().coordinates(point)[0];
+      const SectionPair section = warp.at(station);
+      const auto x = warp.new_frame().coordinates(place);
+      const double radius =
+        std::hypot(x[1] - section.new_center[0], x[2] - section.new_center[1]);
+      const double factor = std::clamp(
+        1. - (missing + excess * depth) / std::max(radius, missing), 0.7, 1.);
+      const Tensor<1, 3> move = -missing * surface.normal(place);
+      for (std::size_t i = 0; i < pairs.size(); ++i)
+        if ((i == 0 || pairs[i - 1].station < station) &&
+            (i + 1 == pairs.size() || pairs[i + 1].station > station))
+        {
+          changes[i].factor = std::min(changes[i].factor, factor);
+          changes[i].move += move;
+          changes[i].n += 1.;
+        }
+    }
+    return all_fit ? std::vector<Change>() : changes;
+  }
+
+
+  SectionWarp with_narrower_sections(const SectionWarp &warp,
+                                     const std::vector<Change> &changes)
+  {
+    std::vector<SectionPair> pairs = warp.pairs();
+    std::vector<double> factors;
+    for (const Change &change : changes)
+      factors.push_back(change.factor);
+    factors = spread_out(factors);
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+      for (double &ratio : pairs[i].ratio)
+        ratio *= factors[i];
+    return SectionWarp(warp.frame(), warp.new_frame(), pairs);
+  }
+
+
+  /// Moves sections across the limb, but the first and the last one.
+  SectionWarp with_moved_sections(const SectionWarp &warp,
+                                  const std::vector<Change> &changes)
+  {
+    const SectionFrame &frame = warp.new_frame();
+    std::vector<SectionPair> pairs = warp.pairs();
+    for (std::size_t i = 1; i + 1 < pairs.size(); ++i)
+      if (changes[i].n > 0.)
+      {
+        const Tensor<1, 3> move = changes[i].move / changes[i].n;
+        pairs[i].new_center[0] += move * frame.first;
+        pairs[i].new_center[1] += move * frame.second;
+      }
+    return SectionWarp(warp.frame(), frame, pairs);
+  }
 } // namespace
 
 
-OrganSurface::OrganSurface(const Shape &organ, const double spacing)
+OrganSurface::OrganSurface(const Shape &organ,
+                           const double spacing,
+                           const double patch)
 {
   const LabelGrid grid = fill_shape(organ, spacing);
   for (unsigned int k = 1; k + 1 < grid.size[2]; ++k)
@@ -57,9 +138,7 @@ OrganSurface::OrganSurface(const Shape &organ, const double spacing)
              grid.at(i, j, k - 1) == LabelGrid::outside ||
              grid.at(i, j, k + 1) == LabelGrid::outside))
           points_.push_back(organ.project(grid.center(i, j, k)));
-  // Wider than the elements of which a surface may consist.
-  constexpr double least_radius = 0.015;
-  const double radius = std::max(least_radius, 1.5 * spacing);
+  const double radius = patch > 0. ? std::max(patch, 1.5 * spacing) : spacing;
   patches_.resize(points_.size());
   for (std::uint32_t i = 0; i < points_.size(); ++i)
     for (std::uint32_t j = 0; j < points_.size(); ++j)
@@ -104,37 +183,33 @@ SectionWarp narrowed(const SectionWarp &warp,
   SectionWarp result = warp;
   for (unsigned int step = 0; step < most_steps; ++step)
   {
-    std::vector<SectionPair> pairs = result.pairs();
-    std::vector<double> factors(pairs.size(), 1.);
-    bool all_fit = true;
-    const std::vector<double> depths = organ.depths(surface, result);
-    for (std::size_t n = 0; n < depths.size(); ++n)
-    {
-      const double missing = depth - depths[n];
-      if (missing <= 0.)
-        continue;
-      all_fit = false;
-      const Point<3> &point = organ.points()[n];
-      const Point<3> place = result.apply(point);
-      const double station = result.frame().coordinates(point)[0];
-      const SectionPair section = result.at(station);
-      const auto x = result.new_frame().coordinates(place);
-      const double radius =
-        std::hypot(x[1] - section.new_center[0], x[2] - section.new_center[1]);
-      const double factor = std::clamp(
-        1. - (missing + excess * depth) / std::max(radius, missing), 0.7, 1.);
-      for (std::size_t i = 0; i < pairs.size(); ++i)
-        if ((i == 0 || pairs[i - 1].station < station) &&
-            (i + 1 == pairs.size() || pairs[i + 1].station > station))
-          factors[i] = std::min(factors[i], factor);
-    }
-    if (all_fit)
+    const std::vector<Change> changes =
+      find_changes(result, surface, organ, depth);
+    if (changes.empty())
       break;
-    factors = spread_out(factors);
-    for (std::size_t i = 0; i < pairs.size(); ++i)
-      for (double &ratio : pairs[i].ratio)
-        ratio *= factors[i];
-    result = SectionWarp(warp.frame(), warp.new_frame(), pairs);
+    result = with_narrower_sections(result, changes);
+  }
+  return result;
+}
+
+
+SectionWarp with_limb_inside(const SectionWarp &warp,
+                             const Shape &surface,
+                             const OrganSurface &organ,
+                             const double depth)
+{
+  // What is beside the limb only moves at first.
+  constexpr unsigned int n_moves = 8, most_steps = 32;
+  SectionWarp result = warp;
+  for (unsigned int step = 0; step < most_steps; ++step)
+  {
+    const std::vector<Change> changes =
+      find_changes(result, surface, organ, depth);
+    if (changes.empty())
+      break;
+    result = step < n_moves || step % 2 == 0
+               ? with_moved_sections(result, changes)
+               : with_narrower_sections(result, changes);
   }
   return result;
 }

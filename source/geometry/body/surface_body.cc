@@ -53,9 +53,12 @@ namespace
                    const RepairReport &report,
                    std::vector<std::string> &remarks)
   {
-    remarks.push_back("surface of " + std::to_string(report.n_triangles) +
-                      " triangles in " + std::to_string(report.n_pieces) +
-                      " piece(s), " + brief(mesh.area()) + " m^2 around " +
+    const auto counted = [](const std::size_t n, const std::string &what) {
+      return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
+    };
+    remarks.push_back("surface of " + counted(report.n_triangles, "triangle") +
+                      " in " + counted(report.n_pieces, "piece") + ", " +
+                      brief(mesh.area()) + " m^2 around " +
                       brief(1e3 * mesh.volume()) + " litre");
     for (const std::string &line : report.lines())
       remarks.push_back(line);
@@ -66,8 +69,8 @@ namespace
       const dealii::Point<3> &place = pairs.front().place;
       remarks.push_back(
         (pairs.size() == most ? "at least " : "") +
-        std::to_string(pairs.size()) +
-        " pair(s) of triangles pass through each other, the first near " +
+        counted(pairs.size(), "pair") +
+        " of triangles pass through each other, the first near " +
         coordinates(place) +
         " m; what is around more than once counts as inside");
     }

@@ -17,8 +17,9 @@ namespace contrecoup
 class OrganSurface
 {
 public:
-  /// Points about this distance apart [m].
-  OrganSurface(const Shape &organ, double spacing);
+  /// Points about this distance apart [m]; patches of the given radius, which
+  /// are to be wider than elements of which a surface may consist [m].
+  OrganSurface(const Shape &organ, double spacing, double patch = 0.015);
 
   const std::vector<dealii::Point<3>> &points() const
   {
@@ -45,6 +46,16 @@ SectionWarp narrowed(const SectionWarp &warp,
                      const Shape &surface,
                      const OrganSurface &organ,
                      double depth);
+
+/**
+ * The same of a limb, whose sections are moved to where the organ is deep
+ * enough before they are narrowed, but for the first and the last one, its
+ * joints.
+ */
+SectionWarp with_limb_inside(const SectionWarp &warp,
+                             const Shape &surface,
+                             const OrganSurface &organ,
+                             double depth);
 
 /**
  * Moves and then shrinks the head, which the last two sections of a warp hold,
