@@ -11,6 +11,7 @@ import csv
 import html
 import io
 import json
+import math
 import os
 import re
 import shutil
@@ -726,8 +727,8 @@ class ReportTest(unittest.TestCase):
             self.assertFalse(word in row, row)
         # The other seven have thresholds, six of them a verdict: the velocity
         # of one side has none.
-        self.expect(self.text, "could change one of six verdicts: mean chest "
-                    "wall velocity.")
+        self.expect(self.text, "could change two of six verdicts: mean chest "
+                    "wall velocity and chest load")
 
     def test_probability(self):
         """Of a verdict, with the interval of the numerical error."""
@@ -869,7 +870,7 @@ class ReportTest(unittest.TestCase):
         its value, which passes the threshold of mild injury."""
         times = 1. / (2. ** 0.7 - 1.), 1. / ((5. / 3.) ** 0.7 - 1.)
         # The first one is that of the chest's peak.
-        for error in (0.2, 0.1 * times[1], 0.02):
+        for error in (0.2 * times[0], 0.1 * times[1], 0.02):
             shown = html_page.percent(error).replace("\u00a0", " ")
             self.expect(self.text, f"± {shown}")
         self.expect(self.text, "Numerical error could change")
@@ -877,6 +878,20 @@ class ReportTest(unittest.TestCase):
                                                "coarser_biomechanics")).page)
         self.expect(alone, "is unknown: the scene has no coarser run",
                     "error unknown")
+
+    def test_errors_of_zero(self):
+        """The coarser run bounds a measure that is zero in this one."""
+        known = injury_table.Known("fraction of the brain", [], "", "")
+        entry = injury_table.Judged("injury_part", 0., "-", known, math.inf, "",
+                                    0.018)
+        self.assertEqual(entry.bounds(), (0., 0.018))
+        self.assertIn("1.8", entry.shown_error())
+        entry = injury_table.Judged("injury_dose", 0., "s", known._replace(
+            title="dose"), math.inf, "", 2e-5)
+        self.assertTrue(entry.shown_error().startswith("up to 20"))
+        entry = injury_table.Judged("injury_part", 0., "-", known, 0., "", 0.)
+        self.assertEqual(entry.bounds(), (0., 0.))
+        self.assertIn("too", entry.shown_error())
 
     def test_checks(self):
         """Oscillation between elements is a check, no injury."""

@@ -61,19 +61,12 @@ def factor(scene, name):
 
 
 def of(scene, name, value, coarser):
-    """Relative error of a measure, at least LEAST, None if unknown, and its
-    causes."""
-    if not value:
-        return None, ""
+    """Relative error of a measure, at least LEAST, and its causes; of a value of
+    zero infinite, or none where the coarser run has zero, too."""
     times, causes = factor(scene, name)
+    if not value:
+        return math.inf if coarser else 0., causes
     return max(LEAST, times * abs(coarser / value - 1.)), causes
-
-
-def peak_change(scene, place):
-    """Relative difference of both runs' peaks at a place; 0 if unknown."""
-    runs = [] if scene.coarser is None else [scene.coarser, scene]
-    peaks = [run.gauge_measures().get(place, {}).get("peak") for run in runs]
-    return abs(peaks[0] / peaks[1] - 1.) if all(peaks) and peaks else 0.
 
 
 def of_result(scene, name):
@@ -107,8 +100,10 @@ def section(scene, judged):
                "errors of what happens in the body are unknown"
                if scene.has_own_mesh() else " and elements of 5/3 of the size")
             + ". The estimated error is the difference of both runs over r", page.tag("sup", ORDER), " − 1 with the ratio r of "
-            "the sizes, and at least 2 %. For chest wall and lungs it is at "
-            "least the difference of the peak on the chest, or on the back "
+            "the sizes, and at least 2 %. The error of a peak on the skin is "
+            "at least the median over all places, since both runs may agree at "
+            "one place by chance. For chest wall and lungs the error is at "
+            "least that of the peak on the chest, or on the back "
             "where that is shown, and beside the body that of the incident "
             "peak; probabilities have the bounds that follow from the error of "
             "the pressure or load by their curve; what happens in the body has "

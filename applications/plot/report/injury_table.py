@@ -69,8 +69,9 @@ class Judged:
         curve by this measure; None if no error is known."""
         if self.error is None:
             return None
-        ends = [(self.value if self.of is None else self.of)
-                * (1. + sign * self.error) for sign in (-1., 1.)]
+        value = self.value if self.of is None else self.of
+        spread = abs(value) * self.error if value else self.coarser_spread()
+        ends = [value - spread, value + spread]
         if curve or self.curve:
             return tuple(injury_thresholds.probability(curve or self.curve,
                                                        end) for end in ends)
@@ -79,6 +80,11 @@ class Judged:
                      0. if self.value < 0. else
                      1. if self.is_fraction else math.inf)
         return tuple(sorted(min(max(end, low), high) for end in ends))
+
+    def coarser_spread(self):
+        """Absolute error of a value of zero: the value of the coarser run, which
+        lies farther off."""
+        return abs(self.coarser or 0.)
 
     def chances(self):
         """Events by this measure, their probabilities and the bounds of
@@ -103,6 +109,10 @@ class Judged:
         bounds, of anything else the error of the value; "" if unknown."""
         if self.error is None:
             return ""
+        if not self.value and not self.coarser:
+            return f"{self.shown()} in the coarser run, too"
+        if not self.value and self.of is None:
+            return f"up to {self.shown(self.bounds()[1])}"
         return page.interval(*self.bounds()) if self.is_fraction \
             else page.error(self.error)
 
@@ -162,7 +172,7 @@ def judge(scene):
                 scene, "probe_1_peak_overpressure") or 0.)
         elif name.startswith(("chest_wall_", "lung_")):
             # Errors of peak and duration can cancel in what follows from both.
-            error = _at_least(error, error_estimate.peak_change(scene, side))
+            error = _at_least(error, of_gauges.get(side, {}).get("peak", 0.))
         else:
             error = _at_least(error, load_impulses.difference(scene))
         judged.append(Judged(name, value, unit, known, error, causes,
@@ -183,7 +193,7 @@ def _share_errors(judged):
     tension."""
     for names in (PRESSURES, TENSIONS):
         entries = [entry for entry in judged if entry.name in names
-                   and entry.error is not None]
+                   and entry.error is not None and entry.value]
         for entry in entries:
             entry.error = max(other.error for other in entries)
 

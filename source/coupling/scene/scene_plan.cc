@@ -145,7 +145,8 @@ namespace
   /// Item about the lung's law under the blast wave: the pressure of air that
   /// is compressed grows beyond all bounds, that of a constant bulk modulus
   /// does not, so that the load crushes elements.
-  Assumption lung(const SceneParameters &scene, const SceneLayout &layout)
+  /// @param peak reflected overpressure at the trunk [Pa]
+  Assumption lung(const SceneParameters &scene, const double peak)
   {
     const SolidMaterial tissue =
       find_solid_material(scene.tissues, Tissue::lung, scene.own_tissues);
@@ -156,16 +157,17 @@ namespace
         ", set " + scene.tissues,
       "reflected peak over the bulk modulus of the lung",
       "-",
-      scene.incident_wave().value(BlastQuantity::reflected_overpressure,
-                                  layout.distance) /
-        tissue.bulk_modulus,
+      peak / tissue.bulk_modulus,
       has_air ? unknown : 1.,
       false,
       "Tissues/Set"};
   }
 
   /// Item about the cells of the gas for the blast wave at the body.
-  Assumption resolution(const SceneParameters &scene, const SceneLayout &layout)
+  /// @param n_cells in the positive phase
+  Assumption resolution(const SceneParameters &scene,
+                        const SceneLayout &layout,
+                        const double n_cells)
   {
     const bool is_finest =
       scene.accuracy.name == SceneParameters::accuracies.back().name;
@@ -173,7 +175,7 @@ namespace
             "cells of " + brief(1e3 * layout.cell_size()) + " mm at the skin",
             "number of cells in the positive phase at the body",
             "-",
-            layout.cells_per_phase(),
+            n_cells,
             scene.cell_size > 0.
               ? least_cells
               : std::min(least_cells, scene.accuracy.cells_per_phase),
@@ -209,6 +211,35 @@ namespace
             "Charge/Explosive"};
   }
 
+  Json read_summary(const std::string &folder)
+  {
+    const std::string file = folder + "/summary.json";
+    return std::filesystem::exists(file)
+             ? Json::parse(io::read_file(file), nullptr, false)
+             : Json();
+  }
+
+
+  double number_or_unknown(const Json &object, const std::string &name)
+  {
+    return object.is_object() && object.contains(name) &&
+               object[name].is_number()
+             ? object[name].get<double>()
+             : unknown;
+  }
+
+
+  /// The result of that name in a summary, an object with value and unit.
+  Json result_of(const Json &summary, const std::string &name)
+  {
+    return summary.is_object() && summary.contains("results") &&
+               summary["results"].is_object() &&
+               summary["results"].contains(name)
+             ? summary["results"][name]
+             : Json();
+  }
+
+
   /// Items about charge and cells, known before the run.
   std::vector<Assumption> items_of_charge(const SceneParameters &scene,
                                           const SceneLayout &layout)
@@ -218,7 +249,7 @@ namespace
       afterburn(scene),
       afterburn_effect(scene, layout, BlastQuantity::overpressure),
       afterburn_effect(scene, layout, BlastQuantity::impulse),
-      resolution(scene, layout),
+      resolution(scene, layout, layout.cells_per_phase()),
       body_cells(layout)};
     const ModelBias known = model_bias(scene, layout.distance);
     if (!std::isnan(known.peak))
@@ -226,6 +257,29 @@ namespace
       items.push_back(bias("peak", known.peak));
       items.push_back(bias("impulse", known.impulse));
     }
+    return items;
+  }
+
+
+  /// The same with what a run measured: neither the rise by afterburn nor the
+  /// difference from other models.
+  std::vector<Assumption> found_of_charge(const SceneParameters &scene,
+                                          const SceneLayout &layout,
+                                          const std::string &folder)
+  {
+    const double duration =
+      layout.probe
+        ? number_or_unknown(result_of(read_summary(folder), "probe_1_duration"),
+                            "value")
+        : unknown;
+    std::vector<Assumption> items = items_of_charge(scene, layout);
+    for (Assumption &item : items)
+      if (item.name == "resolution")
+        item.value *= duration / layout.positive_phase;
+      else if ((item.name.rfind("afterburn_", 0) == 0 &&
+                scene.afterburn > 0.) ||
+               item.name.rfind("model_bias_", 0) == 0)
+        item.value = unknown;
     return items;
   }
 
@@ -256,35 +310,6 @@ namespace
             scene.end_time,
             false,
             "Scene/End time"};
-  }
-
-
-  Json read_summary(const std::string &folder)
-  {
-    const std::string file = folder + "/summary.json";
-    return std::filesystem::exists(file)
-             ? Json::parse(io::read_file(file), nullptr, false)
-             : Json();
-  }
-
-
-  double number_or_unknown(const Json &object, const std::string &name)
-  {
-    return object.is_object() && object.contains(name) &&
-               object[name].is_number()
-             ? object[name].get<double>()
-             : unknown;
-  }
-
-
-  /// The result of that name in a summary, an object with value and unit.
-  Json result_of(const Json &summary, const std::string &name)
-  {
-    return summary.is_object() && summary.contains("results") &&
-               summary["results"].is_object() &&
-               summary["results"].contains(name)
-             ? summary["results"][name]
-             : Json();
   }
 
 
@@ -323,6 +348,20 @@ namespace
       items.push_back(one);
     }
     return items;
+  }
+
+
+  /// Largest overpressure at the gauges of the trunk [Pa]; NaN: none.
+  double largest_peak(const std::string &folder)
+  {
+    const Json summary = read_summary(folder);
+    double largest = unknown;
+    for (const std::string place : {"chest", "abdomen", "back"})
+      largest =
+        std::fmax(largest,
+                  number_or_unknown(
+                    result_of(summary, "loads_" + place + "_peak"), "value"));
+    return largest;
   }
 
 
@@ -411,7 +450,9 @@ std::vector<Assumption> scene_plan(const SceneParameters &scene,
     return items;
   items.push_back(strain(unknown));
   if (has_lung)
-    items.push_back(lung(scene, layout));
+    items.push_back(
+      lung(scene,
+           wave.value(BlastQuantity::reflected_overpressure, layout.distance)));
   items.push_back(gravity_of_body(scene.end_time, speed));
   return items;
 }
@@ -423,7 +464,8 @@ std::vector<Assumption> scene_audit(const SceneParameters &scene,
                                     const std::string &folder)
 {
   const std::string solid = folder + "/biomechanics";
-  std::vector<Assumption> items = items_of_charge(scene, layout);
+  std::vector<Assumption> items =
+    found_of_charge(scene, layout, folder + "/blast");
   if (scene.wants_injury())
   {
     const double passed = layout.arrival + layout.positive_phase;
@@ -433,7 +475,7 @@ std::vector<Assumption> scene_audit(const SceneParameters &scene,
     items.push_back(strain(
       number_or_unknown(result_of(summary, "injury_strain_95"), "value")));
     if (has_lung)
-      items.push_back(lung(scene, layout));
+      items.push_back(lung(scene, largest_peak(folder + "/blast")));
     items.push_back(
       gravity_of_body(scene.end_time, largest_vector(solid, "velocity")));
   }

@@ -29,7 +29,8 @@ TITLES = {
     "injury_csdm_25": "fraction of the brain strained above 0.25 (CSDM25)",
     "injury_hic15": "head injury criterion over 15 ms (HIC15)",
     "injury_bric": "brain injury criterion (BrIC)",
-    "injury_chest_wall_velocity_mesh": "chest skin velocity in the mesh"}
+    "injury_chest_wall_velocity_mesh":
+        "inward velocity of the chest's skin in the mesh"}
 # Measures with thresholds that give no verdict.
 EXPOSURES = ("maximum brain pressure",)
 # Names of the measures of gauge_injury.csv and, of the first probe,
