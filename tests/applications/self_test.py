@@ -365,6 +365,14 @@ class CostTest(SelfTest):
         self.accepts(*options)
         self.rejects("is not < 0.02", *options, flaw="narrow")
 
+    def test_whole_body(self):
+        options = ("whole_body", "--set=Boundaries/y low=symmetry",
+                   "--bound=difference < 1e-9", "--bound=across < 1e-9",
+                   "--bound=part < 0.51", "--bound=whole < 0.51")
+        self.write("decay.prm", "Time/Largest number of steps=2\n")
+        self.accepts(*options)
+        self.rejects("difference = ", *options, flaw="halved")
+
 
 class SceneTest(SelfTest):
     program = "stand_in_scene.py"
