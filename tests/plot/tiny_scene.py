@@ -149,7 +149,8 @@ def write_blast(folder):
             "probe_1_impulse": with_unit(150.4, "Pa s"),
             "probe_1_reference_impulse": with_unit(221.7, "Pa s"),
             "probe_1_duration": with_unit(2.31e-3, "s"),
-            "probe_1_reference_duration": with_unit(2.38e-3, "s")},
+            "probe_1_reference_duration": with_unit(2.38e-3, "s"),
+            "loads_impulse_x": with_unit(-118.4, "N s")},
         "checks": {"loads_impulse_difference": with_unit(5.52e-4, "-")},
         "assumptions": {
             "gravity": {"decision": "left out", "quantity": "its speed",
