@@ -332,7 +332,8 @@ def _bounds(title, name, value, files):
 def _error(name, value, files):
     """Of the coarser run: sizes differ by 2 and 5/3, errors are of order 0.7
     and at least 2 %; what depends on the chest's peak differs by at least as
-    much as it, a probability by the error of what it follows from."""
+    much as its error, what happens in the body by that of its impulse, a
+    probability by the error of what it follows from."""
     if name not in files.coarser or value == 0.:
         return None
     if name.endswith("ear"):
@@ -343,18 +344,28 @@ def _error(name, value, files):
     times = 1. / ((5. / 3. if is_of_body else 2.) ** 0.7 - 1.)
     error = max(0.02, times * abs(files.coarser[name] / value - 1.))
     if name.startswith(("chest_", "lung_")) and name not in OF_AIR:
-        peaks = [places[files.side]["peak"] for places in
-                 (files.coarser_places, files.places)]
-        error = max(error, abs(peaks[0] / peaks[1] - 1.))
+        error = max(error, _gauge_errors(files, "peak").get(files.side, 0.))
+    if is_of_body:
+        error = max(error, _load_difference(files))
     if name in OF_AIR:
         error = max(error, files.error_of_result("peak_overpressure") or 0.)
     for group in (PRESSURES, TENSIONS):
         if name in group:
-            error = max(0.02, *(
+            error = max(0.02, _load_difference(files), *(
                 times * abs(files.coarser[other] / files.injury[other] - 1.)
                 for other in group
                 if other in files.coarser and files.injury[other]))
     return error
+
+
+def _load_difference(files):
+    """Of the impulse on the elements from the recorded one, along that."""
+    checks = values_of(files.summary["biomechanics"], "checks")
+    recorded, mapped = ([checks.get(f"loads_{name}_impulse_{axis}", 0.)
+                         for axis in "xyz"] for name in ("recorded", "mapped"))
+    size = sum(value * value for value in recorded)
+    return 0. if size == 0. else abs(
+        sum(a * b for a, b in zip(recorded, mapped)) / size - 1.)
 
 
 def check_differences(page, files):
