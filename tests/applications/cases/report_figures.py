@@ -394,7 +394,7 @@ def check_headline(page, files):
         (rf"detonates ({number} m) (?:in front|to|behind|from|beyond)",
          files.scene["distance"]),
         (rf", ({number} m) above the ground", files.scene["height"])]
-    wanted += [(rf" ({number} {unit})(?: and|,)", value) for unit, value
+    wanted += [(rf" ({number} {unit})(?: and|,| high)", value) for unit, value
                in files.person().items()]
     chances = [value[0] for value in rows.values()
                if value[1].endswith("ear") or value[1] == "lung_lethality"]
