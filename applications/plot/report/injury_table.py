@@ -317,8 +317,12 @@ def table(scene, judged):
     parts.append(page.paragraph(
         "Errors are relative, or bounds of what lies between 0 and 100\u00a0%, and "
         "cover the numerics alone. They are estimated from the coarser run of "
-        "this scene (see the section on accuracy) and unknown without that run. Thresholds are those commonly cited; they "
-        "and the tissue properties are less certain than the numerics.",
+        "this scene (see the section on accuracy) and unknown without that run. "
+        "Thresholds are those commonly cited; they and the tissue properties "
+        "are less certain than the numerics."
+        + (" AIS: abbreviated injury scale, 1 (minor) to 6 (untreatable)."
+           if any("AIS" in meaning for entry in judged
+                  for _, meaning in entry.thresholds) else ""),
         kind="note"))
     return [part for part in parts if part]
 
