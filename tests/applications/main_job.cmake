@@ -33,15 +33,17 @@ contrecoup_add_application_test(main_job_surface main_job_surface
   TIMEOUT 1800 SET ${_first_look} ${_few_fields} "Body/Kind=surface"
   "Body/Surface/Organs=phantom")
 
-# A head of medical images, which Debian's mricron-data ships. The head has no gauges:
-# bounds are within 3 % of the brain's values.
+# A head of medical images, which Debian's mricron-data ships. With elements of 6 mm one
+# of the brain lies alone between bones, with twice the pressure of all others unless
+# anatomy gives it to the fluid. The head has no gauges: bounds are within 3 % of the
+# brain's values.
 contrecoup_add_application_test(main_job_image main_job
   FILE scene/showcase/colin_head.prm TIMEOUT 1800
   NEEDS /usr/share/mricron/templates/ch2.nii.gz
-  SET ${_first_look} ${_few_fields} "Scene/Element size=0.0062"
+  SET ${_first_look} ${_few_fields} "Scene/Element size=0.006"
     "Blast/Output/Volume fields=true"
-  BOUNDS "results.injury_intracranial_pressure_peak > 729.9e3"
-    "results.injury_intracranial_pressure_peak < 775.1e3"
-    "results.injury_intracranial_pressure_lowest < 244.8e3"
-    "results.injury_strain_95 > 0.01101" "results.injury_strain_95 < 0.01169"
-    "results.injury_hic15 > 88.4" "results.injury_hic15 < 94.0")
+  BOUNDS "results.injury_intracranial_pressure_peak > 718.6e3"
+    "results.injury_intracranial_pressure_peak < 763.1e3"
+    "results.injury_intracranial_pressure_lowest < 244.5e3"
+    "results.injury_strain_95 > 0.01152" "results.injury_strain_95 < 0.01224"
+    "results.injury_hic15 > 89.6" "results.injury_hic15 < 95.2")
