@@ -1,5 +1,5 @@
 # Every entry that selects something refuses to select nothing.
-_contrecoup_register_test(input_selections TIMEOUT 600 LABELS refusal
+_contrecoup_register_test(input_selections TIMEOUT 900 LABELS refusal
   COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/selections.py
     $<TARGET_FILE_DIR:blast>)
 # What --check forecasts is what the run needs, for cheap runs of each application.
