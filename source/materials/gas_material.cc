@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/parameters/used_with.h>
 #include <contrecoup/materials/custom_explosive.h>
 #include <contrecoup/materials/gas_material.h>
 
@@ -36,7 +37,9 @@ void GasMaterial::declare_parameters(ParameterHandler &prm)
     1.001,
     100.,
     "-",
-    "Ratio of specific heats of the ideal or stiffened gas; not used by jwl.");
+    used_with(
+      "Material/Equation of state not jwl",
+      "Ratio of specific heats of the ideal or stiffened gas, or of air."));
   declare_double(prm,
                  "Gas constant",
                  "287.05287",
@@ -45,22 +48,26 @@ void GasMaterial::declare_parameters(ParameterHandler &prm)
                  "J/(kg K)",
                  "Specific gas constant; gives the temperature and, with "
                  "Gamma, the specific heat.");
-  declare_double(prm,
-                 "Stiffening pressure",
-                 "0",
-                 0.,
-                 1e15,
-                 "Pa",
-                 "p_infinity of the stiffened gas; not used by others.");
+  declare_double(
+    prm,
+    "Stiffening pressure",
+    "0",
+    0.,
+    1e15,
+    "Pa",
+    used_with("Material/Equation of state = stiffened gas", "p_infinity."));
   std::vector<std::string> explosives = explosive_names();
   explosives.push_back("custom");
-  declare_selection(prm,
-                    "Explosive",
-                    "tnt",
-                    explosives,
-                    "JWL constants from the library, or those of subsection "
-                    "Custom explosive.");
+  declare_selection(
+    prm,
+    "Explosive",
+    "tnt",
+    explosives,
+    used_with("Material/Equation of state = jwl, jwl in air",
+              "JWL constants from the library, or those of subsection "
+              "Custom explosive."));
   const Section custom(prm, "Custom explosive");
+  const UsedWith used("Explosive = custom");
   CustomExplosive::declare_parameters(prm);
 }
 

@@ -4,6 +4,7 @@
 #include <contrecoup/base/parameters/bounds.h>
 #include <contrecoup/base/parameters/parameters.h>
 #include <contrecoup/base/parameters/selecting.h>
+#include <contrecoup/base/parameters/used_with.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/readable_file.h>
 #include <contrecoup/base/system/text.h>
@@ -103,6 +104,33 @@ namespace
                        "\" is damaged: it is no JSON");
     return summary;
   }
+
+  /// What the result is compared with.
+  void declare_reference(ParameterHandler &prm)
+  {
+    // These bounds admit values of every quantity.
+    declare_double(
+      prm,
+      "Known value",
+      "0",
+      -bounds::energy,
+      bounds::energy,
+      "unit of the quantity",
+      used_with("Error/Kind = known value",
+                "Known value of the quantity; the error is relative to it, "
+                "or absolute if it is 0."));
+    const UsedWith used("Error/Kind = reference run");
+    declare_string(
+      prm,
+      "Reference",
+      "",
+      "Entries of the reference run, which the study runs first, "
+      "besides those of all variants: \"Section/Entry=value; ...\".");
+    declare_string(prm,
+                   "Reference folder",
+                   "",
+                   "Instead, the output folder of an existing reference run.");
+  }
 } // namespace
 
 void ErrorMeasure::declare_parameters(ParameterHandler &prm)
@@ -119,52 +147,42 @@ void ErrorMeasure::declare_parameters(ParameterHandler &prm)
     prm,
     "Name",
     "density_L1",
-    selecting("For exact, the name below \"errors\" in summary.json; for "
-              "summary, an output as in Study/Columns; for probe or history, "
-              "their column; for a plane, its plane_y_0_pressure."));
-  declare_selection(prm,
-                    "Quantity",
-                    "summary",
-                    quantities,
-                    "Unless Kind is exact: a value of summary.json; largest "
-                    "rise, fall, integral of the rise, or arrival at a probe "
-                    "or in the history; mean difference of its curve, or of "
-                    "a plane cut at the end, from the reference run.");
-  // These bounds admit values of every quantity.
-  declare_double(prm,
-                 "Known value",
-                 "0",
-                 -bounds::energy,
-                 bounds::energy,
-                 "unit of the quantity",
-                 "Known value of the quantity; the error is relative to it, "
-                 "or absolute if it is 0.");
-  declare_string(
+    used_with(
+      "Error/Kind not none",
+      selecting("For exact, the name below \"errors\" in summary.json; for "
+                "summary, an output as in Study/Columns; for probe or history, "
+                "their column; for a plane, its plane_y_0_pressure.")));
+  declare_selection(
     prm,
-    "Reference",
-    "",
-    "Entries of the reference run, which the study runs first, "
-    "besides those of all variants: \"Section/Entry=value; ...\".");
-  declare_string(prm,
-                 "Reference folder",
-                 "",
-                 "Instead, the output folder of an existing reference run.");
-  declare_double(prm,
-                 "Averaging time",
-                 "0",
-                 0.,
-                 bounds::time,
-                 "s",
-                 "Curves are averaged over this interval before comparison, "
-                 "which removes faster oscillations; 0: not averaged.");
-  declare_double(prm,
-                 "Wanted error",
-                 "0",
-                 0.,
-                 bounds::energy,
-                 "unit of the error",
-                 "The cheapest variant with at most this error is "
-                 "recommended and written to recommended.prm; 0: none.");
+    "Quantity",
+    "summary",
+    quantities,
+    used_with("Error/Kind = known value, reference run, self convergence",
+              "Unless Kind is exact: a value of summary.json; largest "
+              "rise, fall, integral of the rise, or arrival at a probe "
+              "or in the history; mean difference of its curve, or of "
+              "a plane cut at the end, from the reference run."));
+  declare_reference(prm);
+  declare_double(
+    prm,
+    "Averaging time",
+    "0",
+    0.,
+    bounds::time,
+    "s",
+    used_with("Error/Kind = known value, reference run, self convergence",
+              "Curves are averaged over this interval before comparison, "
+              "which removes faster oscillations; 0: not averaged."));
+  declare_double(
+    prm,
+    "Wanted error",
+    "0",
+    0.,
+    bounds::energy,
+    "unit of the error",
+    used_with("Error/Kind not none",
+              "The cheapest variant with at most this error is "
+              "recommended and written to recommended.prm; 0: none."));
 }
 
 void ErrorMeasure::parse_parameters(ParameterHandler &prm)

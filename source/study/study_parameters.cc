@@ -4,6 +4,7 @@
 #include <contrecoup/base/parameters/bounds.h>
 #include <contrecoup/base/parameters/parameters.h>
 #include <contrecoup/base/parameters/selecting.h>
+#include <contrecoup/base/parameters/used_with.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/study/study_parameters.h>
@@ -63,6 +64,11 @@ namespace
                       "every factor and those that differ from it in one "
                       "factor; or random ones, spread evenly over each "
                       "factor.");
+  }
+
+  void declare_samples(ParameterHandler &prm)
+  {
+    const UsedWith used("Study/Design = latin hypercube");
     declare_integer(prm,
                     "Samples",
                     "16",
@@ -117,6 +123,7 @@ void StudyParameters::declare_parameters(ParameterHandler &prm)
   {
     const Section section(prm, "Study");
     declare_what(prm);
+    declare_samples(prm);
     declare_how(prm);
   }
   ErrorMeasure::declare_parameters(prm);

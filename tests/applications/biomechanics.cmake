@@ -237,6 +237,8 @@ contrecoup_add_application_test(energy_gate bounds
 contrecoup_add_application_test(tnt bounds FILE biomechanics/quickstart.prm
   SET "Output/Fields=false" "Time/End time=1.5e-3"
   "Loads/Load pulse/Kind=kingery bulmash"
+  "Loads/Load pulse/Kingery Bulmash/Centre=2, 0, 1.3"
+  "Loads/Load pulse/Kingery Bulmash/Start time=1.5e-3"
   BOUNDS "status == finished" "checks.energy_residual < 1.93e-7"
   "results.injury_chest_pressure_peak > 7.04e5"
   "results.injury_chest_pressure_peak < 7.78e5"

@@ -114,8 +114,8 @@ def warned_of():
                "is estimated at 0.707")
     yield (HEAD, "entry of another material",
            {"Region brain/Shear modulus": "2000"},
-           "WARNING: Region brain/Shear modulus = 2000 has no effect on "
-           "Material = tissue")
+           "WARNING: Region brain/Shear modulus is set but not used: Region "
+           "brain/Material is tissue, not viscoelastic")
     yield (DAM, "known front after the end", {"Time/End time": "0.1"},
            "WARNING: Reference/Front/Times goes on to 0.149 s, after Time/End "
            "time = 0.1 s: 4 of 6 positions are compared")

@@ -2,6 +2,10 @@
 _contrecoup_register_test(input_selections TIMEOUT 900 LABELS refusal
   COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/selections.py
     $<TARGET_FILE_DIR:blast>)
+# Every choice with which an entry is used exists.
+_contrecoup_register_test(input_used_with LABELS refusal
+  COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/used_with.py
+    $<TARGET_FILE_DIR:blast>)
 # What --check forecasts is what the run needs, for cheap runs of each application.
 _contrecoup_register_test(input_forecasts TIMEOUT 900
   COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/tests/validation/forecasts.py

@@ -189,7 +189,8 @@ def same(case):
 
 def check_files(case):
     """Every parameter file below the folder of --file passes --check, which one
-    process does for all of them: it prints a plan of each and writes nothing."""
+    process does for all of them: it prints a plan of each, sets no entry without
+    effect, and writes nothing."""
     folder = os.path.dirname(os.path.abspath(case.options.file))
     files = sorted(glob.glob(os.path.join(folder, "**", "*.prm"),
                              recursive=True))
@@ -227,6 +228,9 @@ def check(case, files):
         plan = out if len(files) == 1 else report_of(file, files, out)
         if file not in refused and " would " not in plan:
             raise Failed(f"--check printed no plan of {file}: {plan[-2000:]}")
+        unused = [line for line in plan.splitlines() if "set but not used" in line]
+        if unused:
+            raise Failed(f"{file}: {unused}")
     return refused
 
 

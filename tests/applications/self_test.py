@@ -157,6 +157,7 @@ class JudgementTest(SelfTest):
         self.accepts("check_files")
         self.rejects("--check wrote", "check_files", flaw="hasty")
         self.rejects("printed no plan", "check_files", flaw="silent")
+        self.rejects("not used", "check_files", flaw="thoughtless")
         self.rejects("0 reports are of", "check_files", flaw="nameless")
         self.write("scenes/more/second.prm", "Scenery=second\n")
         self.rejects("1 of 2 files: more/second.prm", "check_files")
@@ -481,6 +482,14 @@ class FolderTest(SelfTest):
         self.accepts(*options)
         self.rejects("exit code 0", *options, flaw="shares")
         self.rejects("exit code 0", *options, flaw="forgetful")
+
+    def test_begins(self):
+        options = ("folder_begins", "--argument=--set",
+                   "--argument=Steps=1000", "--argument=--set",
+                   "--argument=Brief=true")
+        self.accepts(*options)
+        self.rejects("does not say that it begins", *options, flaw="silent")
+        self.rejects("exit code 0", *options, flaw="rash")
 
     def test_signals(self):
         options = ("folder_signals", "--compare=history.csv",

@@ -9,6 +9,7 @@
 #include <contrecoup/ale/exact/taylor_green_flow.h>
 #include <contrecoup/ale/exact/water_hammer_flow.h>
 #include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/parameters/used_with.h>
 #include <contrecoup/base/system/exceptions.h>
 
 namespace contrecoup::ale
@@ -64,8 +65,7 @@ void Reference::declare_parameters(ParameterHandler &prm)
                     "tube, implosion, point explosion, vortices, a liquid "
                     "stopped by a wall, or a table. For particles also "
                     "expressions, the front of a region over time, final "
-                    "extents of regions, and displacements at probes. Only "
-                    "the entries of the chosen subsection count.");
+                    "extents of regions, and displacements at probes.");
   declare_double(prm,
                  "Largest radius",
                  "1e6",
@@ -75,15 +75,18 @@ void Reference::declare_parameters(ParameterHandler &prm)
                  "A flow is compared within this distance from the origin.");
   {
     const Section sphere(prm, "Rigid sphere");
+    const UsedWith used("Reference/Kind = rigid sphere");
     SpherePeaks::declare_parameters(prm);
   }
   {
     const Section shell(prm, "Fluid filled shell");
+    const UsedWith used("Reference/Kind = fluid filled shell");
     ShellPressures::declare_parameters(prm);
   }
   for (const Kind &kind : flows)
   {
     const Section flow(prm, kind.section);
+    const UsedWith used("Reference/Kind = " + std::string(kind.name));
     kind.declare(prm);
   }
 }

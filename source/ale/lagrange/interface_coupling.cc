@@ -4,6 +4,7 @@
 #include <contrecoup/ale/lagrange/interface_coupling.h>
 #include <contrecoup/ale/mesh/cell_corners.h>
 #include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/parameters/used_with.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/numerics/element/hex8_moments.h>
@@ -45,28 +46,34 @@ void InterfaceCoupling::declare_parameters(ParameterHandler &prm)
                     "partitioned schemes show where partitioning fails: "
                     "loose iterates once a step, fixed relaxation and "
                     "Aitken to convergence.");
-  declare_double(prm,
-                 "Relaxation",
-                 "0.5",
-                 1e-3,
-                 2.,
-                 "-",
-                 "Relaxation factor of fixed relaxation, and the first one "
-                 "of Aitken; converges below 2 / (1 + added mass ratio).");
-  declare_double(prm,
-                 "Tolerance",
-                 "1e-8",
-                 1e-14,
-                 0.1,
-                 "-",
-                 "Convergence criterion: change of acceleration over the "
-                 "acceleration of the solid without added mass.");
-  declare_integer(prm,
-                  "Largest iterations",
-                  "50",
-                  1,
-                  10000,
-                  "The run fails when a step needs more iterations.");
+  declare_double(
+    prm,
+    "Relaxation",
+    "0.5",
+    1e-3,
+    2.,
+    "-",
+    used_with("Coupling/Scheme = fixed relaxation, Aitken",
+              "Relaxation factor of fixed relaxation, and the first one "
+              "of Aitken; converges below 2 / (1 + added mass ratio)."));
+  declare_double(
+    prm,
+    "Tolerance",
+    "1e-8",
+    1e-14,
+    0.1,
+    "-",
+    used_with("Coupling/Scheme = fixed relaxation, Aitken",
+              "Convergence criterion: change of acceleration over the "
+              "acceleration of the solid without added mass."));
+  declare_integer(
+    prm,
+    "Largest iterations",
+    "50",
+    1,
+    10000,
+    used_with("Coupling/Scheme = fixed relaxation, Aitken",
+              "The run fails when a step needs more iterations."));
 }
 
 

@@ -3,6 +3,7 @@
 
 #include <contrecoup/ale/mesh/layered_head.h>
 #include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/parameters/used_with.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
 
@@ -26,6 +27,8 @@ namespace
 
 void LayeredHead::declare_parameters(ParameterHandler &prm)
 {
+  declare_symmetry_planes(prm);
+  const UsedWith used("Mesh/Kind = layered head");
   declare_list(prm,
                "Semi-axes",
                "0.07, 0.07, 0.07",
@@ -63,7 +66,6 @@ void LayeredHead::declare_parameters(ParameterHandler &prm)
     1e3,
     "m",
     "Approximate cell size at the brain surface; inner cells are smaller.");
-  declare_symmetry_planes(prm);
 }
 
 

@@ -5,6 +5,7 @@
 #include <contrecoup/ale/mesh/mesh_description.h>
 #include <contrecoup/base/parameters/parameter_tree.h>
 #include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/parameters/used_with.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
 
@@ -41,6 +42,24 @@ namespace
                    "Velocity of the wall along its outward normal [m/s], a "
                    "muParser expression of t.");
   }
+
+  void declare_box(ParameterHandler &prm)
+  {
+    const UsedWith used("Mesh/Kind = box");
+    declare_list(
+      prm, "Lower corner", "0, 0, 0", 3, 3, -1e6, 1e6, "m", "Box corner.");
+    declare_list(
+      prm, "Upper corner", "1, 1, 1", 3, 3, -1e6, 1e6, "m", "Box corner.");
+    declare_list(prm,
+                 "Elements",
+                 "10, 10, 10",
+                 3,
+                 3,
+                 1.,
+                 1e5,
+                 "-",
+                 "Number of cells of the box along x, y and z.");
+  }
 } // namespace
 
 
@@ -57,26 +76,21 @@ void MeshDescription::declare_parameters(ParameterHandler &prm)
                       "scalp around the origin; the mesh of a file; or, "
                       "with particles (Method = mpm) only, a body of "
                       "subsection Body.");
-    declare_list(
-      prm, "Lower corner", "0, 0, 0", 3, 3, -1e6, 1e6, "m", "Box corner.");
-    declare_list(
-      prm, "Upper corner", "1, 1, 1", 3, 3, -1e6, 1e6, "m", "Box corner.");
-    declare_list(prm,
-                 "Elements",
-                 "10, 10, 10",
-                 3,
-                 3,
-                 1.,
-                 1e5,
-                 "-",
-                 "Number of cells of the box along x, y and z.");
-    declare_double(prm, "Radius", "0.09", 1e-6, 1e6, "m", "Half ball radius.");
+    declare_box(prm);
+    declare_double(prm,
+                   "Radius",
+                   "0.09",
+                   1e-6,
+                   1e6,
+                   "m",
+                   used_with("Mesh/Kind = half ball", "Half ball radius."));
     declare_integer(prm,
                     "Refinements",
                     "3",
                     0,
                     8,
-                    "Global refinements of the half ball, 0 to 8.");
+                    used_with("Mesh/Kind = half ball",
+                              "Global refinements of the half ball, 0 to 8."));
     for (const char *const name : {"x", "y", "z"})
       declare_string(prm,
                      std::string("Position ") + name,
@@ -85,10 +99,12 @@ void MeshDescription::declare_parameters(ParameterHandler &prm)
                      "muParser expression of x, y, z; turns a box into a wedge "
                      "or cone. Other entries refer to the moved nodes.");
     LayeredHead::declare_parameters(prm);
+    const UsedWith used("Mesh/Kind = file");
     FileMesh::declare_parameters(prm);
   }
   {
     const Section section(prm, "Body");
+    const UsedWith used("Mesh/Kind = body");
     BodyDescription::declare_parameters(prm);
   }
   declare_sides(prm);

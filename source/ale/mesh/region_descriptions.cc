@@ -7,6 +7,7 @@
 #include <contrecoup/base/parameters/parameters.h>
 #include <contrecoup/base/parameters/selecting.h>
 #include <contrecoup/base/parameters/selections.h>
+#include <contrecoup/base/parameters/used_with.h>
 #include <contrecoup/base/system/coordinates.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/log.h>
@@ -41,12 +42,14 @@ namespace
                 "layered head; number or name of a material of a file, "
                 "which is the tissue in files of `anatomy`; any is the "
                 "whole mesh."));
-    declare_string(prm,
-                   "Density",
-                   "1.2",
-                   "Initial density [kg/m^3], a muParser expression of x, "
-                   "y, z; for a Tait liquid its density at zero pressure, a "
-                   "number.");
+    declare_string(
+      prm,
+      "Density",
+      "1.2",
+      used_with("Material not tissue",
+                "Initial density [kg/m^3], a muParser expression of x, "
+                "y, z; for a Tait liquid its density at zero pressure, a "
+                "number."));
     declare_string(prm,
                    "Pressure",
                    "0",
@@ -62,24 +65,6 @@ namespace
         name,
         "0",
         "Initial velocity [m/s], a muParser expression of x, y, z.");
-  }
-
-  /// Warns of entries that differ from their defaults without effect.
-  void warn_of_unused(const ParameterHandler &prm, const std::string &name)
-  {
-    ParameterHandler defaults;
-    declare_state(defaults);
-    declare_region_material(defaults);
-    const std::string material = prm.get("Material");
-    for (const std::string &entry : entries_without_effect(material))
-      if (const std::string value = prm.get(entry);
-          value != defaults.get(entry))
-        log_line("WARNING: Region " + name + "/" + entry + " = " + value +
-                 " has no effect on Material = " + material +
-                 (material == "tissue"
-                    ? ", whose constants are those of Tissue; use "
-                      "viscoelastic or elastic for others"
-                    : ""));
   }
 } // namespace
 
@@ -101,7 +86,6 @@ void RegionDescriptions::parse_parameters(ParameterHandler &prm)
       return Expression("Region " + name + "/" + entry, prm.get(entry));
     };
     Region region = parse_region_material(prm, name);
-    warn_of_unused(prm, name);
     region.layer = trim(prm.get("Layer"));
     descriptions_.push_back({std::move(region),
                              expression("Where"),

@@ -5,6 +5,7 @@
 #include <contrecoup/base/parameters/expression.h>
 #include <contrecoup/base/parameters/parameters.h>
 #include <contrecoup/base/parameters/selecting.h>
+#include <contrecoup/base/parameters/used_with.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/materials/explosives.h>
@@ -32,12 +33,15 @@ namespace
                    1.0001,
                    100.,
                    "-",
-                   "Ratio of specific heats of ideal gas or air.");
-    declare_selection(prm,
-                      "Explosive",
-                      "tnt",
-                      explosive_names(),
-                      "Explosive of the products in jwl and jwl in air.");
+                   used_with("Material = ideal gas, jwl in air",
+                             "Ratio of specific heats of ideal gas or air."));
+    declare_selection(
+      prm,
+      "Explosive",
+      "tnt",
+      explosive_names(),
+      used_with("Material = jwl, jwl in air",
+                "Explosive of the products in jwl and jwl in air."));
     declare_double(
       prm,
       "Bulk modulus",
@@ -45,32 +49,28 @@ namespace
       1.,
       1e15,
       "Pa",
-      "K_0 of a Tait liquid at zero pressure, and of viscoelastic solids.");
-    declare_double(
-      prm, "Exponent", "7.15", 1.0001, 100., "-", "n of a Tait liquid.");
-    declare_string(prm,
-                   "Least pressure",
-                   "none",
-                   "Pressure at which a Tait liquid cavitates [Pa], at most "
-                   "0; none: it sustains any tension.");
+      used_with(
+        "Material = tait, viscoelastic",
+        "K_0 of a Tait liquid at zero pressure, and of viscoelastic solids."));
+    declare_double(prm,
+                   "Exponent",
+                   "7.15",
+                   1.0001,
+                   100.,
+                   "-",
+                   used_with("Material = tait", "n of a Tait liquid."));
+    declare_string(
+      prm,
+      "Least pressure",
+      "none",
+      used_with("Material = tait",
+                "Pressure at which a Tait liquid cavitates [Pa], at most "
+                "0; none: it sustains any tension."));
   }
 
-  void declare_solid(ParameterHandler &prm)
+  void declare_viscoelastic(ParameterHandler &prm)
   {
-    declare_double(prm,
-                   "Young modulus",
-                   "6.5e9",
-                   1e-3,
-                   1e15,
-                   "Pa",
-                   "E of elastic solids and johnson-cook; copper has 124e9.");
-    declare_double(prm,
-                   "Poisson ratio",
-                   "0.22",
-                   -0.9,
-                   0.499999,
-                   "-",
-                   "Of elastic solids and johnson-cook; copper has 0.34.");
+    const UsedWith used("Material = viscoelastic");
     declare_double(prm,
                    "Shear modulus",
                    "49e3",
@@ -94,27 +94,55 @@ namespace
                    "s",
                    "Time constant of the relaxation of viscoelastic solids; 0: "
                    "they relax at once.");
+  }
+
+  void declare_solid(ParameterHandler &prm)
+  {
+    declare_double(
+      prm,
+      "Young modulus",
+      "6.5e9",
+      1e-3,
+      1e15,
+      "Pa",
+      used_with("Material = elastic, johnson-cook",
+                "E of elastic solids and johnson-cook; copper has 124e9."));
+    declare_double(
+      prm,
+      "Poisson ratio",
+      "0.22",
+      -0.9,
+      0.499999,
+      "-",
+      used_with("Material = elastic, johnson-cook",
+                "Of elastic solids and johnson-cook; copper has 0.34."));
+    declare_viscoelastic(prm);
     declare_selection(
       prm,
       "Tissue",
       "brain",
       tissue_names(),
-      "Tissue whose density and moduli Material = tissue uses.");
-    declare_selection(prm,
-                      "Tissue set",
-                      "paper",
-                      tissue_set_names(),
-                      "Property set of the tissue.");
+      used_with("Material = tissue",
+                "Tissue whose density and moduli Material = tissue uses."));
+    declare_selection(
+      prm,
+      "Tissue set",
+      "paper",
+      tissue_set_names(),
+      used_with("Material = tissue", "Property set of the tissue."));
     declare_selection(
       prm,
       "Kinematics",
       "finite rotation",
       solid_kinematics_names(),
-      "Strain measure of solids; johnson-cook is always neo-hookean.");
+      used_with(
+        "Material = elastic, viscoelastic, tissue",
+        "Strain measure of solids; johnson-cook is always neo-hookean."));
   }
 
   void declare_strength(ParameterHandler &prm)
   {
+    const UsedWith used("Material = johnson-cook");
     declare_double(prm,
                    "Yield stress",
                    "90e6",
@@ -142,6 +170,7 @@ namespace
 
   void declare_softening(ParameterHandler &prm)
   {
+    const UsedWith used("Material = johnson-cook");
     declare_double(
       prm, "Softening exponent", "1.09", 0.01, 100., "-", "m of johnson-cook.");
     declare_double(prm,
@@ -378,48 +407,6 @@ void declare_region_material(ParameterHandler &prm)
     selecting("Interface of a fluid with other regions. stick: shared "
               "nodes; slip: frictionless sliding without separation. "
               "Slipping regions stick to each other."));
-}
-
-
-std::vector<std::string> entries_without_effect(const std::string &material)
-{
-  using Names = std::vector<std::string>;
-  // Entries, and the materials that they describe.
-  static const std::vector<std::pair<Names, Names>> uses{
-    {{"Density"},
-     {"ideal gas",
-      "tait",
-      "jwl",
-      "jwl in air",
-      "elastic",
-      "viscoelastic",
-      "johnson-cook"}},
-    {{"Gamma"}, {"ideal gas", "jwl in air"}},
-    {{"Explosive"}, {"jwl", "jwl in air"}},
-    {{"Bulk modulus"}, {"tait", "viscoelastic"}},
-    {{"Exponent", "Least pressure"}, {"tait"}},
-    {{"Young modulus", "Poisson ratio"}, {"elastic", "johnson-cook"}},
-    {{"Shear modulus", "Long-term shear modulus", "Relaxation time"},
-     {"viscoelastic"}},
-    {{"Tissue", "Tissue set"}, {"tissue"}},
-    {{"Kinematics"}, {"elastic", "viscoelastic", "tissue"}},
-    {{"Yield stress",
-      "Hardening modulus",
-      "Hardening exponent",
-      "Rate coefficient",
-      "Reference rate",
-      "Softening exponent",
-      "Melting temperature",
-      "Reference temperature",
-      "Heat capacity",
-      "Heating part"},
-     {"johnson-cook"}}};
-  Names result;
-  for (const auto &[entries, described] : uses)
-    if (std::find(described.begin(), described.end(), material) ==
-        described.end())
-      result.insert(result.end(), entries.begin(), entries.end());
-  return result;
 }
 
 

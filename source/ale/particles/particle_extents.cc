@@ -5,6 +5,7 @@
 #include <contrecoup/base/parameters/parameter_tree.h>
 #include <contrecoup/base/parameters/parameters.h>
 #include <contrecoup/base/parameters/selecting.h>
+#include <contrecoup/base/parameters/used_with.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/log.h>
 #include <contrecoup/base/system/text.h>
@@ -58,6 +59,7 @@ unsigned int find_material(const std::vector<mpm::ParticleMaterial> &materials,
 void ParticleExtents::declare_parameters(ParameterHandler &prm)
 {
   const Section section(prm, "Extent *");
+  const UsedWith used("Reference/Kind = extents");
   declare_string(prm, "Region", "bar", selecting("Region of the particles."));
   declare_selection(prm,
                     "Direction",

@@ -5,6 +5,7 @@
 #include <contrecoup/ale/particles/particle_reference.h>
 #include <contrecoup/base/parameters/parameters.h>
 #include <contrecoup/base/parameters/selecting.h>
+#include <contrecoup/base/parameters/used_with.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/log.h>
 #include <contrecoup/base/system/text.h>
@@ -76,6 +77,7 @@ void ParticleReference::declare_parameters(ParameterHandler &prm)
   const Section reference(prm, "Reference");
   {
     const Section section(prm, "Expressions");
+    const UsedWith used("Reference/Kind = expressions");
     const auto declare = [&](const std::string &name, const std::string &what) {
       declare_string(prm,
                      name,
@@ -93,9 +95,11 @@ void ParticleReference::declare_parameters(ParameterHandler &prm)
   ParticleExtents::declare_parameters(prm);
   {
     const Section section(prm, "Probe displacements");
+    const UsedWith used("Reference/Kind = probe displacements");
     ProbeDisplacements::declare_parameters(prm);
   }
   const Section section(prm, "Front");
+  const UsedWith used("Reference/Kind = front");
   declare_string(prm, "Region", "water", selecting("Region of the front."));
   declare_selection(prm,
                     "Direction",

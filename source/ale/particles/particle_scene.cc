@@ -5,6 +5,7 @@
 #include <contrecoup/ale/particles/particle_scene.h>
 #include <contrecoup/base/parameters/parameters.h>
 #include <contrecoup/base/parameters/selecting.h>
+#include <contrecoup/base/parameters/used_with.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/log.h>
 #include <contrecoup/base/system/text.h>
@@ -63,7 +64,9 @@ namespace
       0.,
       100.,
       "-",
-      "Margin around these regions with halved cells, in coarse cells.");
+      used_with(
+        "MPM/Fine regions not empty",
+        "Margin around these regions with halved cells, in coarse cells."));
   }
 
   void declare_scheme(ParameterHandler &prm)
@@ -82,23 +85,27 @@ namespace
                       "Stress update with the velocity before the step "
                       "(usf), after the step (usl), or from the momentum of "
                       "moved particles (musl).");
-    declare_integer(prm,
-                    "Series order",
-                    "2",
-                    1,
-                    16,
-                    "Terms of the mass series of flip and fmpm: 1 is the "
-                    "lumped mass, which slows sound waves; each further "
-                    "term costs a transfer to the particles and back.");
-    declare_double(prm,
-                   "Damping time",
-                   "1e9",
-                   1e-9,
-                   1e9,
-                   "s",
-                   "Time constant, independent of the step size, with which "
-                   "flip damps particle motion that the grid does not "
-                   "resolve.");
+    declare_integer(
+      prm,
+      "Series order",
+      "2",
+      1,
+      16,
+      used_with("MPM/Transfer = flip, fmpm",
+                "Terms of the mass series of flip and fmpm: 1 is the "
+                "lumped mass, which slows sound waves; each further "
+                "term costs a transfer to the particles and back."));
+    declare_double(
+      prm,
+      "Damping time",
+      "1e9",
+      1e-9,
+      1e9,
+      "s",
+      used_with("MPM/Transfer = flip",
+                "Time constant, independent of the step size, with which "
+                "flip damps particle motion that the grid does not "
+                "resolve."));
   }
 
   void declare_resampling(ParameterHandler &prm)
@@ -166,6 +173,7 @@ namespace
 void ParticleScene::declare_parameters(ParameterHandler &prm)
 {
   const Section section(prm, "MPM");
+  const UsedWith used("Method = mpm");
   declare_grid(prm);
   declare_scheme(prm);
   declare_resampling(prm);

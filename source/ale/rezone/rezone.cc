@@ -5,6 +5,7 @@
 #include <contrecoup/ale/rezone/inclined_walls.h>
 #include <contrecoup/ale/rezone/rezone.h>
 #include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/parameters/used_with.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/base/system/timers.h>
@@ -48,47 +49,53 @@ void Rezone::declare_parameters(ParameterHandler &prm)
                     "none: Lagrangian mesh; elastic: inner nodes follow the "
                     "boundary by elastic smoothing; back: all nodes return "
                     "to their initial positions (Eulerian).");
-  declare_double(prm,
-                 "Interval",
-                 "0",
-                 0.,
-                 1e6,
-                 "s",
-                 "Simulated time between rezones; 0: every step.");
-  declare_selection(prm,
-                    "Limiter",
-                    limiters[0],
-                    limiters,
-                    "Limiter of the reconstruction in the remap. keep "
-                    "smooth extrema: second order at smooth extrema, with "
-                    "overshoots of up to a hundredth of a jump. strict: no "
-                    "overshoots of density, energy, mass fraction or "
-                    "velocity components, but order 1.4 at smooth peaks.");
-  declare_double(prm,
-                 "Stiffening",
-                 "1",
-                 0.,
-                 4.,
-                 "-",
-                 "Young's modulus of the mesh is the inverse cell volume to "
-                 "this power; larger values preserve the shape of small "
-                 "cells.");
-  declare_double(prm,
-                 "Poisson's ratio",
-                 "0.3",
-                 0.,
-                 0.49,
-                 "-",
-                 "Poisson's ratio of the elastic mesh.");
-  declare_double(prm,
-                 "Tolerance",
-                 "1e-6",
-                 1e-14,
-                 0.1,
-                 "-",
-                 "Relative residual of the elastic problem; a smaller one "
-                 "changed errors by at most 1e-4 of themselves, also with "
-                 "flat cells.");
+  {
+    const UsedWith used("Rezone/Kind not none");
+    declare_double(prm,
+                   "Interval",
+                   "0",
+                   0.,
+                   1e6,
+                   "s",
+                   "Simulated time between rezones; 0: every step.");
+    declare_selection(prm,
+                      "Limiter",
+                      limiters[0],
+                      limiters,
+                      "Limiter of the reconstruction in the remap. keep "
+                      "smooth extrema: second order at smooth extrema, with "
+                      "overshoots of up to a hundredth of a jump. strict: no "
+                      "overshoots of density, energy, mass fraction or "
+                      "velocity components, but order 1.4 at smooth peaks.");
+  }
+  {
+    const UsedWith used("Rezone/Kind = elastic");
+    declare_double(prm,
+                   "Stiffening",
+                   "1",
+                   0.,
+                   4.,
+                   "-",
+                   "Young's modulus of the mesh is the inverse cell volume to "
+                   "this power; larger values preserve the shape of small "
+                   "cells.");
+    declare_double(prm,
+                   "Poisson's ratio",
+                   "0.3",
+                   0.,
+                   0.49,
+                   "-",
+                   "Poisson's ratio of the elastic mesh.");
+    declare_double(prm,
+                   "Tolerance",
+                   "1e-6",
+                   1e-14,
+                   0.1,
+                   "-",
+                   "Relative residual of the elastic problem; a smaller one "
+                   "changed errors by at most 1e-4 of themselves, also with "
+                   "flat cells.");
+  }
 }
 
 

@@ -3,6 +3,7 @@
 
 #include <contrecoup/base/parameters/number_or_word.h>
 #include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/parameters/used_with.h>
 
 namespace contrecoup
 {
@@ -61,7 +62,7 @@ void declare_number_or_word(ParameterHandler &prm,
   prm.declare_entry(name,
                     word,
                     NumberOrWord({smallest, largest}, word),
-                    "[" + unit + "] " + sentence);
+                    UsedWith::annotate("[" + unit + "] " + sentence));
 }
 
 

@@ -3,6 +3,7 @@
 
 #include <contrecoup/base/parameters/bounds.h>
 #include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/parameters/used_with.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
 
@@ -19,7 +20,8 @@ namespace
   std::string documentation(const std::string &unit,
                             const std::string &sentence)
   {
-    return unit.empty() ? sentence : "[" + unit + "] " + sentence;
+    return UsedWith::annotate(unit.empty() ? sentence
+                                           : "[" + unit + "] " + sentence);
   }
 
   double to_double(const std::string &text, const std::string &name)
@@ -79,8 +81,10 @@ void declare_integer(ParameterHandler &prm,
                      const int largest,
                      const std::string &sentence)
 {
-  prm.declare_entry(
-    name, default_value, Patterns::Integer(smallest, largest), sentence);
+  prm.declare_entry(name,
+                    default_value,
+                    Patterns::Integer(smallest, largest),
+                    UsedWith::annotate(sentence));
 }
 
 void declare_bool(ParameterHandler &prm,
@@ -88,7 +92,8 @@ void declare_bool(ParameterHandler &prm,
                   const std::string &default_value,
                   const std::string &sentence)
 {
-  prm.declare_entry(name, default_value, Patterns::Bool(), sentence);
+  prm.declare_entry(
+    name, default_value, Patterns::Bool(), UsedWith::annotate(sentence));
 }
 
 void declare_selection(ParameterHandler &prm,
@@ -97,8 +102,10 @@ void declare_selection(ParameterHandler &prm,
                        const std::vector<std::string> &choices,
                        const std::string &sentence)
 {
-  prm.declare_entry(
-    name, default_value, Patterns::Selection(join(choices, "|")), sentence);
+  prm.declare_entry(name,
+                    default_value,
+                    Patterns::Selection(join(choices, "|")),
+                    UsedWith::annotate(sentence));
 }
 
 void declare_string(ParameterHandler &prm,
@@ -106,7 +113,8 @@ void declare_string(ParameterHandler &prm,
                     const std::string &default_value,
                     const std::string &sentence)
 {
-  prm.declare_entry(name, default_value, Patterns::Anything(), sentence);
+  prm.declare_entry(
+    name, default_value, Patterns::Anything(), UsedWith::annotate(sentence));
 }
 
 void declare_file(ParameterHandler &prm,
@@ -114,7 +122,8 @@ void declare_file(ParameterHandler &prm,
                   const std::string &default_value,
                   const std::string &sentence)
 {
-  prm.declare_entry(name, default_value, Patterns::FileName(), sentence);
+  prm.declare_entry(
+    name, default_value, Patterns::FileName(), UsedWith::annotate(sentence));
 }
 
 void declare_list(ParameterHandler &prm,

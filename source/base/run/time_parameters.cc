@@ -3,6 +3,7 @@
 
 #include <contrecoup/base/parameters/bounds.h>
 #include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/parameters/used_with.h>
 #include <contrecoup/base/run/time_parameters.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
@@ -88,20 +89,23 @@ namespace
       "Fields",
       "true",
       "Whether fields are written; if so, at least at start and end.");
-    declare_double(prm,
-                   "Fields interval",
-                   "0",
-                   0.,
-                   bounds::time,
-                   "s",
-                   "Simulated time between field outputs, met exactly; 0: "
-                   "none between start and end.");
+    declare_double(
+      prm,
+      "Fields interval",
+      "0",
+      0.,
+      bounds::time,
+      "s",
+      used_with("Output/Fields = true",
+                "Simulated time between field outputs, met exactly; 0: "
+                "none between start and end."));
     declare_integer(prm,
                     "Fields every steps",
                     "0",
                     0,
                     many,
-                    "Steps between field outputs; 0: not by steps.");
+                    used_with("Output/Fields = true",
+                              "Steps between field outputs; 0: not by steps."));
   }
 
   void declare_checkpoints(ParameterHandler &prm)

@@ -3,6 +3,7 @@
 
 #include <contrecoup/base/parameters/bounds.h>
 #include <contrecoup/base/parameters/parameter_tree.h>
+#include <contrecoup/base/parameters/used_with.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/coupling/first_stage/first_stage_parameters.h>
@@ -170,6 +171,38 @@ namespace
       result[d] = (*centre)[d];
     return result;
   }
+
+  void declare_hand_over(ParameterHandler &prm)
+  {
+    const UsedWith used("First stage/Kind not none");
+    declare_selection(
+      prm,
+      "Hand over at",
+      "auto",
+      {"auto", "time", "radius"},
+      "Criterion of the hand-over from the first stage to the scene: just "
+      "before the front reaches the body, the ground or another side of the "
+      "domain that is not a plane of symmetry of the charge, at a time, or "
+      "at a radius of the front.");
+    declare_double(prm,
+                   "Time",
+                   "0",
+                   0.,
+                   bounds::time,
+                   "s",
+                   used_with("First stage/Hand over at = time",
+                             "Time of the hand-over, if at a time."));
+    declare_double(
+      prm,
+      "Radius",
+      "1",
+      bounds::smallest_length,
+      bounds::length,
+      "m",
+      used_with("First stage/Hand over at = radius",
+                "Distance of the front from the charge's centre or axis "
+                "at the hand-over, if at a radius."));
+  }
 } // namespace
 
 
@@ -191,46 +224,27 @@ void FirstStageParameters::declare_parameters(ParameterHandler &prm)
                  "m",
                  "Edge of the subcells of the first stage, of the smallest "
                  "ones if it is axisymmetric.");
-  declare_integer(prm,
-                  "Levels",
-                  "3",
-                  0,
-                  20,
-                  "Refinement levels of an axisymmetric first stage; leaves "
-                  "of the finest level have subcells of the Cell size.");
-  declare_double(prm,
-                 "Spherical cell size",
-                 "0",
-                 0.,
-                 bounds::length,
-                 "m",
-                 "Edge of the subcells of a spherical stage before the "
-                 "axisymmetric one, until the front approaches the ground; "
-                 "0: no spherical stage.");
-  declare_selection(
+  declare_integer(
     prm,
-    "Hand over at",
-    "auto",
-    {"auto", "time", "radius"},
-    "Criterion of the hand-over from the first stage to the scene: just "
-    "before the front reaches the body, the ground or another side of the "
-    "domain that is not a plane of symmetry of the charge, at a time, or "
-    "at a radius of the front.");
-  declare_double(prm,
-                 "Time",
-                 "0",
-                 0.,
-                 bounds::time,
-                 "s",
-                 "Time of the hand-over, if at a time.");
-  declare_double(prm,
-                 "Radius",
-                 "1",
-                 bounds::smallest_length,
-                 bounds::length,
-                 "m",
-                 "Distance of the front from the charge's centre or axis "
-                 "at the hand-over, if at a radius.");
+    "Levels",
+    "3",
+    0,
+    20,
+    used_with("First stage/Kind = axisymmetric",
+              "Refinement levels of an axisymmetric first stage; leaves "
+              "of the finest level have subcells of the Cell size."));
+  declare_double(
+    prm,
+    "Spherical cell size",
+    "0",
+    0.,
+    bounds::length,
+    "m",
+    used_with("First stage/Kind = axisymmetric",
+              "Edge of the subcells of a spherical stage before the "
+              "axisymmetric one, until the front approaches the ground; "
+              "0: no spherical stage."));
+  declare_hand_over(prm);
 }
 
 

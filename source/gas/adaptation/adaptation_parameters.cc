@@ -4,6 +4,7 @@
 #include <contrecoup/base/parameters/bounds.h>
 #include <contrecoup/base/parameters/parameters.h>
 #include <contrecoup/base/parameters/selecting.h>
+#include <contrecoup/base/parameters/used_with.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/gas/adaptation/adaptation_parameters.h>
 
@@ -15,6 +16,7 @@ namespace
 {
   void declare_sensor(ParameterHandler &prm)
   {
+    const UsedWith used("Adaptation/Active = true");
     declare_selection(
       prm,
       "Sensor",
@@ -60,17 +62,21 @@ namespace
       -bounds::length,
       bounds::length,
       "m",
-      selecting("Corner with the smallest coordinates of a box with a "
-                "smallest refinement level."));
-    declare_list(prm,
-                 "Fine box upper corner",
-                 "1, 1, 1",
-                 1,
-                 3,
-                 -bounds::length,
-                 bounds::length,
-                 "m",
-                 selecting("Corner with the largest coordinates of this box."));
+      used_with(
+        "Adaptation/Fine box levels not 0",
+        selecting("Corner with the smallest coordinates of a box with a "
+                  "smallest refinement level.")));
+    declare_list(
+      prm,
+      "Fine box upper corner",
+      "1, 1, 1",
+      1,
+      3,
+      -bounds::length,
+      bounds::length,
+      "m",
+      used_with("Adaptation/Fine box levels not 0",
+                selecting("Corner with the largest coordinates of this box.")));
     declare_integer(prm,
                     "Fine box levels",
                     "0",
@@ -91,14 +97,17 @@ void AdaptationParameters::declare_parameters(ParameterHandler &prm)
                "false",
                "Whether leaves are refined and coarsened during the run; "
                "needs Domain/Mesh = box.");
-  declare_integer(prm,
-                  "Interval",
-                  "5",
-                  0,
-                  1000000,
-                  "Largest number of steps between adaptations, fewer if a "
-                  "front could otherwise cross the AMR buffer; 0: only the "
-                  "AMR buffer limits this number.");
+  {
+    const UsedWith used("Adaptation/Active = true");
+    declare_integer(prm,
+                    "Interval",
+                    "5",
+                    0,
+                    1000000,
+                    "Largest number of steps between adaptations, fewer if a "
+                    "front could otherwise cross the AMR buffer; 0: only the "
+                    "AMR buffer limits this number.");
+  }
   declare_integer(prm,
                   "Smallest level",
                   "0",
@@ -112,20 +121,23 @@ void AdaptationParameters::declare_parameters(ParameterHandler &prm)
                   20,
                   "Largest refinement level of the leaves.");
   declare_sensor(prm);
-  declare_integer(prm,
-                  "Buffer",
-                  "1",
-                  0,
-                  10,
-                  "AMR buffer width: layers of leaves around marked leaves "
-                  "that are refined with them.");
-  declare_selection(prm,
-                    "Buffer side",
-                    "all",
-                    {"all", "ahead"},
-                    "Sides of marked leaves with the AMR buffer: all, or "
-                    "(blast sensor only) only ahead, towards falling "
-                    "pressure, which costs less.");
+  {
+    const UsedWith used("Adaptation/Active = true");
+    declare_integer(prm,
+                    "Buffer",
+                    "1",
+                    0,
+                    10,
+                    "AMR buffer width: layers of leaves around marked leaves "
+                    "that are refined with them.");
+    declare_selection(prm,
+                      "Buffer side",
+                      "all",
+                      {"all", "ahead"},
+                      "Sides of marked leaves with the AMR buffer: all, or "
+                      "(blast sensor only) only ahead, towards falling "
+                      "pressure, which costs less.");
+  }
   declare_fine_box(prm);
   SizeLimits::declare_parameters(prm);
 }

@@ -5,6 +5,7 @@
 #include <contrecoup/base/parameters/parameter_tree.h>
 #include <contrecoup/base/parameters/parameters.h>
 #include <contrecoup/base/parameters/selecting.h>
+#include <contrecoup/base/parameters/used_with.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/gas/adaptation/size_limits.h>
 
@@ -48,7 +49,8 @@ namespace
                    -bounds::speed,
                    bounds::speed,
                    "m/s",
-                   "Growth rate of Radius after From time.");
+                   used_with("Shape = ball, outside of ball",
+                             "Growth rate of Radius after From time."));
   }
 } // namespace
 

@@ -3,7 +3,9 @@
 
 #include <contrecoup/base/parameters/parameters.h>
 #include <contrecoup/base/parameters/selecting.h>
+#include <contrecoup/base/parameters/used_with.h>
 #include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/text.h>
 #include <contrecoup/gas/conditions/boundary.h>
 #include <contrecoup/gas/state/state_parameters.h>
 
@@ -67,19 +69,23 @@ void Boundary<dim>::declare_parameters(ParameterHandler &prm)
       side,
       "wall",
       kind_names,
-      "Boundary condition at this side of a box: a rigid "
-      "slip wall (also for planes of symmetry and the "
-      "axis), a non-reflecting open side, an inflow of the "
-      "state of subsection Inflow, or the initial state or reference "
-      "solution at that position and time.");
+      used_with("Domain/Mesh = box",
+                "Boundary condition at this side of a box: a rigid "
+                "slip wall (also for planes of symmetry and the "
+                "axis), a non-reflecting open side, an inflow of the "
+                "state of subsection Inflow, or the initial state or reference "
+                "solution at that position and time."));
   declare_string(
     prm,
     "By id",
     "",
-    selecting("For meshes other than boxes: \"id: kind, id: kind\", with "
-              "the boundary ids of the mesh and the kinds above; ids that "
-              "are not listed are walls."));
+    used_with(
+      "Domain/Mesh not box",
+      selecting("For meshes other than boxes: \"id: kind, id: kind\", with "
+                "the boundary ids of the mesh and the kinds above; ids that "
+                "are not listed are walls.")));
   const Section inflow(prm, "Inflow");
+  const UsedWith used(join(box_sides, " or ") + " or By id = inflow");
   declare_state(prm);
 }
 

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/parameters/bounds.h>
+#include <contrecoup/base/parameters/used_with.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/gas/conditions/classical_fields.h>
 #include <contrecoup/gas/state/state_parameters.h>
@@ -79,6 +80,7 @@ template <int dim>
 void SedovField<dim>::declare_parameters(ParameterHandler &prm)
 {
   const Section section(prm, "Sedov");
+  const UsedWith used("Initial state/Kind = sedov");
   declare_positive(prm,
                    "Energy",
                    "0.851072",
@@ -151,6 +153,7 @@ template <int dim>
 void NohField<dim>::declare_parameters(ParameterHandler &prm)
 {
   const Section section(prm, "Noh");
+  const UsedWith used("Initial state/Kind = noh");
   declare_positive(prm, "Speed", "1", "m/s", "Speed towards the centre.");
   declare_center(prm);
   declare_ambient(prm, "1e-6");
@@ -186,6 +189,7 @@ template <int dim>
 void VortexField<dim>::declare_parameters(ParameterHandler &prm)
 {
   const Section section(prm, "Vortex");
+  const UsedWith used("Initial state/Kind = vortex");
   declare_double(prm,
                  "Strength",
                  "5",

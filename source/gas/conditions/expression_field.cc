@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/base/parameters/used_with.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/readable_file.h>
 #include <contrecoup/base/system/silence.h>
@@ -53,6 +54,7 @@ template <int dim>
 void ExpressionField<dim>::declare_parameters(ParameterHandler &prm)
 {
   const Section section(prm, "Expression");
+  const UsedWith used("Initial state/Kind = expression");
   const std::string note =
     " as a muParser expression of the coordinates x, y, z of the domain and "
     "of pi.";

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/parameters/bounds.h>
+#include <contrecoup/base/parameters/used_with.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/gas/conditions/layer_fields.h>
 #include <contrecoup/gas/state/state_parameters.h>
@@ -121,6 +122,7 @@ template <int dim>
 void RiemannField<dim>::declare_parameters(ParameterHandler &prm)
 {
   const Section section(prm, "Riemann");
+  const UsedWith used("Initial state/Kind = riemann");
   declare_double(prm,
                  "Position",
                  "0.5",
@@ -211,6 +213,7 @@ template <int dim>
 void LayerField<dim>::declare_parameters(ParameterHandler &prm)
 {
   const Section section(prm, "Layers");
+  const UsedWith used("Initial state/Kind = layers");
   declare_direction(prm);
   declare_list(prm,
                "Positions",

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/parameters/bounds.h>
+#include <contrecoup/base/parameters/used_with.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/gas/conditions/profile_field.h>
@@ -29,6 +30,7 @@ namespace
   std::shared_ptr<const Profile> read_file(ParameterHandler &prm)
   {
     const Section section(prm, "Profile");
+    const UsedWith used("Initial state/Kind = profile");
     const std::string file = prm.get("File");
     if (file.empty())
       throw InputError("Initial state/Profile/File: Kind = profile needs the "

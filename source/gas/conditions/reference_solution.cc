@@ -3,6 +3,7 @@
 
 #include <contrecoup/base/parameters/bounds.h>
 #include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/parameters/used_with.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/gas/conditions/classical_fields.h>
@@ -155,6 +156,7 @@ namespace
   void declare_kingery_bulmash(ParameterHandler &prm)
   {
     const Section section(prm, "Kingery Bulmash");
+    const UsedWith used("Reference/Kind = kingery bulmash");
     declare_double(prm,
                    "Mass",
                    "1",
@@ -284,17 +286,21 @@ void ReferenceSolution<dim>::declare_parameters(ParameterHandler &prm)
                     "describes (at probes), the detonation of the Material's "
                     "explosive from the origin, the measurements that Kingery "
                     "and Bulmash fitted (at probes), or a table.");
-  declare_bool(prm,
-               "Measure errors",
-               "true",
-               "Whether the summary contains the errors against the "
-               "reference; false if it only serves exact boundaries.");
-  declare_file(prm,
-               "Table",
-               "",
-               "CSV file with columns position [m] (along x, or the radius), "
-               "density [kg/m^3], velocity [m/s], pressure [Pa] and "
-               "optionally products [-]: the profile at the end time.");
+  declare_bool(
+    prm,
+    "Measure errors",
+    "true",
+    used_with("Reference/Kind not none",
+              "Whether the summary contains the errors against the "
+              "reference; false if it only serves exact boundaries."));
+  declare_file(
+    prm,
+    "Table",
+    "",
+    used_with("Reference/Kind = table",
+              "CSV file with columns position [m] (along x, or the radius), "
+              "density [kg/m^3], velocity [m/s], pressure [Pa] and "
+              "optionally products [-]: the profile at the end time."));
   declare_kingery_bulmash(prm);
 }
 

@@ -3,6 +3,7 @@
 
 #include <contrecoup/base/parameters/bounds.h>
 #include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/parameters/used_with.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/gas/conditions/region.h>
@@ -58,24 +59,29 @@ void Region::declare_parameters(ParameterHandler &prm, const std::string &rule)
     "Center",
     "0, 0, 0",
     "m",
-    "Centre of the ball, or centres of several balls of equal radius.");
+    used_with(
+      "Shape = ball, outside of ball",
+      "Centre of the ball, or centres of several balls of equal radius."));
   for (const std::string name : {"Lower corner", "Upper corner"})
-    declare_list(prm,
-                 name,
-                 "0, 0, 0",
-                 1,
-                 3,
-                 -bounds::length,
-                 bounds::length,
-                 "m",
-                 "Position in the coordinates of the mesh.");
-  declare_double(prm,
-                 "Radius",
-                 "1",
-                 0.,
-                 bounds::length,
-                 "m",
-                 "Radius of the ball; of a growing ball, its initial radius.");
+    declare_list(
+      prm,
+      name,
+      "0, 0, 0",
+      1,
+      3,
+      -bounds::length,
+      bounds::length,
+      "m",
+      used_with("Shape = box", "Position in the coordinates of the mesh."));
+  declare_double(
+    prm,
+    "Radius",
+    "1",
+    0.,
+    bounds::length,
+    "m",
+    used_with("Shape = ball, outside of ball",
+              "Radius of the ball; of a growing ball, its initial radius."));
 }
 
 

@@ -4,6 +4,7 @@
 #include <contrecoup/base/parameters/bounds.h>
 #include <contrecoup/base/parameters/parameter_tree.h>
 #include <contrecoup/base/parameters/selecting.h>
+#include <contrecoup/base/parameters/used_with.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/gas/conditions/region_field.h>
@@ -31,7 +32,10 @@ namespace
       selecting("Points within Radius of the Center, points between "
                 "two corners, or points on the side of the plane "
                 "through Center that Normal does not point to."));
-    for (const std::string name : {"Center", "Lower corner", "Upper corner"})
+    for (const auto &[name, shapes] :
+         {std::pair<std::string, std::string>("Center", "sphere, half space"),
+          {"Lower corner", "box"},
+          {"Upper corner", "box"}})
       declare_list(prm,
                    name,
                    "0, 0, 0",
@@ -40,15 +44,16 @@ namespace
                    -bounds::length,
                    bounds::length,
                    "m",
-                   "Position in the coordinates of the mesh; missing "
-                   "coordinates are zero.");
+                   used_with("Shape = " + shapes,
+                             "Position in the coordinates of the mesh; missing "
+                             "coordinates are zero."));
     declare_double(prm,
                    "Radius",
                    "0.1",
                    bounds::smallest_length,
                    bounds::length,
                    "m",
-                   "Radius of a sphere.");
+                   used_with("Shape = sphere", "Radius of a sphere."));
     declare_list(prm,
                  "Normal",
                  "1, 0, 0",
@@ -57,14 +62,14 @@ namespace
                  -bounds::direction,
                  bounds::direction,
                  "-",
-                 "Outward normal of a half space, of any length.");
-    declare_bool(
-      prm,
-      "Burned explosive",
-      "false",
-      "Whether the region is the explosive of the Material, burned "
-      "at constant volume and still at rest; then Density, Pressure, "
-      "Energy and Products have no effect.");
+                 used_with("Shape = half space",
+                           "Outward normal of a half space, of any length."));
+    declare_bool(prm,
+                 "Burned explosive",
+                 "false",
+                 "Whether the region is the explosive of the Material, burned "
+                 "at constant volume and still at rest.");
+    const UsedWith used("Burned explosive = false");
     declare_state(prm);
     declare_double(prm,
                    "Energy",
@@ -103,9 +108,11 @@ void RegionField<dim>::declare_parameters(ParameterHandler &prm)
 {
   {
     const Section section(prm, "Background");
+    const UsedWith used("Initial state/Kind = uniform, regions");
     declare_state(prm);
   }
   const Section section(prm, "Region *");
+  const UsedWith used("Initial state/Kind = regions");
   declare_region(prm);
 }
 

@@ -4,6 +4,7 @@
 #include <contrecoup/base/parameters/parameter_tree.h>
 #include <contrecoup/base/parameters/parameters.h>
 #include <contrecoup/base/parameters/selecting.h>
+#include <contrecoup/base/parameters/used_with.h>
 #include <contrecoup/gas/conditions/rigid_body.h>
 #include <contrecoup/geometry/body/body_description.h>
 #include <contrecoup/geometry/shape/composed_shapes.h>
@@ -19,6 +20,7 @@ namespace
   void declare_half_space(ParameterHandler &prm)
   {
     const Section section(prm, "Half space");
+    const UsedWith used("Rigid body/Kind = half space");
     Placement::declare_parameters(prm);
   }
 
@@ -73,6 +75,7 @@ void RigidBody::declare_parameters(ParameterHandler &prm)
 {
   {
     const Section section(prm, "Body");
+    const UsedWith used("Rigid body/Kind = body");
     BodyDescription::declare_parameters(prm);
   }
   const Section section(prm, "Rigid body");
@@ -85,6 +88,7 @@ void RigidBody::declare_parameters(ParameterHandler &prm)
                     "cross-section at z = 0, in axisymmetric geometry revolved "
                     "about the axis.");
   declare_half_space(prm);
+  const UsedWith used("Rigid body/Kind not none");
   declare_selection(
     prm,
     "Treatment",

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/parameters/bounds.h>
+#include <contrecoup/base/parameters/used_with.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/gas/explosive/afterburn.h>
 #include <contrecoup/gas/octree/leaf_box.h>
@@ -83,6 +84,34 @@ namespace
     dealii::Utilities::MPI::sum(sums, mesh.communicator(), sums);
     return sums[0] > 0. ? sums[1] / sums[0] : 0.;
   }
+
+  /// Entries of Miller's law.
+  void declare_rate(ParameterHandler &prm)
+  {
+    const UsedWith used("Afterburn/Kind = miller");
+    declare_double(prm,
+                   "Rate",
+                   "6500",
+                   0.,
+                   1e12,
+                   "1/s",
+                   "Rate a of fresh products at 1 Mbar; 6500 is the "
+                   "value 0.0065 per microsecond of the literature.");
+    declare_double(prm,
+                   "Fuel exponent",
+                   "0.5",
+                   0.,
+                   10.,
+                   "-",
+                   "Exponent m of the remaining fuel fraction.");
+    declare_double(prm,
+                   "Pressure exponent",
+                   "0.16666666666666666",
+                   0.,
+                   10.,
+                   "-",
+                   "Exponent n of the pressure in Mbar.");
+  }
 } // namespace
 
 
@@ -95,52 +124,36 @@ void Afterburn::declare_parameters(ParameterHandler &prm)
                     {"none", "constant", "miller"},
                     "Whether the products release more energy as they burn in "
                     "air: not at all, at a constant rate, or by Miller's law.");
-  declare_double(prm,
-                 "Energy",
-                 "3.5e6",
-                 0.,
-                 1e12,
-                 "J/kg",
-                 "Total energy released per kg of products; the default "
-                 "fits blasts of TNT and C-4 in free air; TNT with enough "
-                 "oxygen releases 1e7 (Schwer: 16.3 GJ/m^3).");
-  declare_double(prm,
-                 "Start time",
-                 "0",
-                 0.,
-                 bounds::time,
-                 "s",
-                 "Constant: start of the afterburn, which waits until all "
-                 "explosive has burned.");
-  declare_double(prm,
-                 "End time",
-                 "4.4e-3",
-                 0.,
-                 bounds::time,
-                 "s",
-                 "Constant: time when all energy has been released.");
-  declare_double(prm,
-                 "Rate",
-                 "6500",
-                 0.,
-                 1e12,
-                 "1/s",
-                 "Miller: rate a of fresh products at 1 Mbar; 6500 is the "
-                 "value 0.0065 per microsecond of the literature.");
-  declare_double(prm,
-                 "Fuel exponent",
-                 "0.5",
-                 0.,
-                 10.,
-                 "-",
-                 "Miller: exponent m of the remaining fuel fraction.");
-  declare_double(prm,
-                 "Pressure exponent",
-                 "0.16666666666666666",
-                 0.,
-                 10.,
-                 "-",
-                 "Miller: exponent n of the pressure in Mbar.");
+  declare_double(
+    prm,
+    "Energy",
+    "3.5e6",
+    0.,
+    1e12,
+    "J/kg",
+    used_with("Afterburn/Kind not none",
+              "Total energy released per kg of products; the default "
+              "fits blasts of TNT and C-4 in free air; TNT with enough "
+              "oxygen releases 1e7 (Schwer: 16.3 GJ/m^3)."));
+  {
+    const UsedWith used("Afterburn/Kind = constant");
+    declare_double(prm,
+                   "Start time",
+                   "0",
+                   0.,
+                   bounds::time,
+                   "s",
+                   "Start of the afterburn, which waits until all "
+                   "explosive has burned.");
+    declare_double(prm,
+                   "End time",
+                   "4.4e-3",
+                   0.,
+                   bounds::time,
+                   "s",
+                   "Time when all energy has been released.");
+  }
+  declare_rate(prm);
 }
 
 

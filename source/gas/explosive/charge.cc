@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/parameters/bounds.h>
+#include <contrecoup/base/parameters/used_with.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/gas/explosive/charge.h>
 #include <contrecoup/gas/state/state_parameters.h>
@@ -29,29 +30,34 @@ namespace
                    "If above 0: mass of the whole charge (plane 2-D and "
                    "cylindrical meshes: per m, plane 1-D: per m^2); the sizes "
                    "below then only set its proportions.");
-    declare_double(prm,
-                   "Radius",
-                   "0.05",
-                   bounds::smallest_length,
-                   bounds::length,
-                   "m",
-                   "Radius of a sphere or cylinder.");
-    declare_double(prm,
-                   "Length",
-                   "0.1",
-                   bounds::smallest_length,
-                   bounds::length,
-                   "m",
-                   "Length of a cylinder where the mesh resolves it.");
-    declare_list(prm,
-                 "Edges",
-                 "0.1, 0.1, 0.1",
-                 1,
-                 3,
-                 bounds::smallest_length,
-                 bounds::length,
-                 "m",
-                 "Edge lengths of a box, along the axes of the mesh.");
+    declare_double(
+      prm,
+      "Radius",
+      "0.05",
+      bounds::smallest_length,
+      bounds::length,
+      "m",
+      used_with("Shape = sphere, cylinder", "Radius of a sphere or cylinder."));
+    declare_double(
+      prm,
+      "Length",
+      "0.1",
+      bounds::smallest_length,
+      bounds::length,
+      "m",
+      used_with("Shape = cylinder",
+                "Length of a cylinder where the mesh resolves it."));
+    declare_list(
+      prm,
+      "Edges",
+      "0.1, 0.1, 0.1",
+      1,
+      3,
+      bounds::smallest_length,
+      bounds::length,
+      "m",
+      used_with("Shape = box",
+                "Edge lengths of a box, along the axes of the mesh."));
   }
 
   /// Signed distance from a box; @p beyond holds, per direction, the distance
@@ -91,15 +97,17 @@ void Charge<dim>::declare_parameters(ParameterHandler &prm)
                "m",
                "Centre in the coordinates of the mesh; missing ones are zero.");
   declare_size(prm);
-  declare_list(prm,
-               "Axis",
-               "0, 0, 1",
-               3,
-               3,
-               -bounds::direction,
-               bounds::direction,
-               "-",
-               "Direction of a cylinder's axis in 3-D, of any length.");
+  declare_list(
+    prm,
+    "Axis",
+    "0, 0, 1",
+    3,
+    3,
+    -bounds::direction,
+    bounds::direction,
+    "-",
+    used_with("Shape = cylinder",
+              "Direction of a cylinder's axis in 3-D, of any length."));
   declare_points(prm,
                  "Ignition points",
                  "",

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/parameters/used_with.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/gas/octree/scheme.h>
 
@@ -19,6 +20,7 @@ namespace
 
   void declare_galerkin(ParameterHandler &prm)
   {
+    const UsedWith used("Method/Scheme = discontinuous galerkin");
     declare_integer(prm,
                     "Degree",
                     "3",
@@ -41,24 +43,28 @@ namespace
                  "Discontinuous Galerkin: whether troubled leaves are blended "
                  "with finite volumes on their nodes' subcells; needed "
                  "wherever there are shocks.");
-    declare_double(prm,
-                   "Largest blending",
-                   "1",
-                   0.,
-                   1.,
-                   "-",
-                   "Discontinuous Galerkin: upper bound of the weight of the "
-                   "finite-volume scheme in a troubled leaf.");
-    declare_double(prm,
-                   "Indicator threshold",
-                   "1",
-                   1e-6,
-                   1e6,
-                   "-",
-                   "Discontinuous Galerkin: factor on the energy fraction of "
-                   "the highest modes above which a leaf is troubled; at "
-                   "degree 1, where the indicator is weak, 0.03 detects "
-                   "contacts too.");
+    declare_double(
+      prm,
+      "Largest blending",
+      "1",
+      0.,
+      1.,
+      "-",
+      used_with("Method/Blending = true",
+                "Discontinuous Galerkin: upper bound of the weight of the "
+                "finite-volume scheme in a troubled leaf."));
+    declare_double(
+      prm,
+      "Indicator threshold",
+      "1",
+      1e-6,
+      1e6,
+      "-",
+      used_with("Method/Blending = true",
+                "Discontinuous Galerkin: factor on the energy fraction of "
+                "the highest modes above which a leaf is troubled; at "
+                "degree 1, where the indicator is weak, 0.03 detects "
+                "contacts too."));
     declare_bool(prm,
                  "Positivity",
                  "true",
@@ -122,20 +128,23 @@ void Scheme::declare_parameters(ParameterHandler &prm)
                     "finite volume",
                     {"finite volume", "discontinuous galerkin"},
                     "Spatial discretisation within the leaves.");
-  declare_integer(prm,
-                  "Subcells",
-                  "8",
-                  1,
-                  16,
-                  "Finite volume: subcells of a leaf in each direction; 1 "
-                  "or an even number where leaves of different sizes meet.");
+  declare_integer(
+    prm,
+    "Subcells",
+    "8",
+    1,
+    16,
+    used_with("Method/Scheme = finite volume",
+              "Finite volume: subcells of a leaf in each direction; 1 "
+              "or an even number where leaves of different sizes meet."));
   declare_selection(
     prm,
     "Reconstruction",
     "linear",
     {"constant", "linear"},
-    "Finite volume: reconstruction within a subcell; constant is "
-    "first order, linear second order.");
+    used_with("Method/Scheme = finite volume",
+              "Finite volume: reconstruction within a subcell; constant is "
+              "first order, linear second order."));
   declare_selection(prm,
                     "Limiter",
                     "mc",

@@ -381,6 +381,15 @@ std::vector<std::string> LoadGauges::table(const double time) const
 }
 
 
+std::vector<std::string> LoadGauges::names() const
+{
+  std::vector<std::string> result;
+  for (const Place &place : places_)
+    result.push_back(place.name);
+  return result;
+}
+
+
 std::string LoadGauges::description() const
 {
   std::vector<std::string> parts;

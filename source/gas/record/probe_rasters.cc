@@ -113,9 +113,6 @@ void ProbeRasters<dim>::parse_parameters(ParameterHandler &prm,
   if (dim > 1 || !prm.get("Gauge planes").empty())
     parse_list("Gauge planes", prm.get("Gauge planes"), 2, scene.body, places);
   const bool wanted = prm.get_bool("Injury");
-  if (wanted && places.empty() && prm.get("Points").empty())
-    throw InputError("Probes/Injury: there are no probes to show injuries at; "
-                     "set Points, Lines or Gauge planes");
   probes_.place(places,
                 scene,
                 "Probes/Lines and Gauge planes: the probe",

@@ -3,6 +3,7 @@
 
 #include <contrecoup/base/parameters/parameters.h>
 #include <contrecoup/base/parameters/selecting.h>
+#include <contrecoup/base/parameters/used_with.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/log.h>
 #include <contrecoup/base/system/text.h>
@@ -53,13 +54,15 @@ void ProbeSet<dim>::declare_parameters(ParameterHandler &prm)
     "m",
     selecting("Positions at which pressure, density and velocity are "
               "recorded in every step."));
-  declare_bool(prm,
-               "Injury",
-               "false",
-               "Whether lines and planes of probes also show what the blast "
-               "would do to people who stand there, as if nobody were there: "
-               "eardrum rupture, death by lung injury and the velocity of the "
-               "chest wall, which probe_injury.csv then has as well.");
+  declare_bool(
+    prm,
+    "Injury",
+    "false",
+    used_with("Probes/Points or Probes/Lines or Probes/Gauge planes not empty",
+              "Whether lines and planes of probes also show what the blast "
+              "would do to people who stand there, as if nobody were there: "
+              "eardrum rupture, death by lung injury and the velocity of the "
+              "chest wall, which probe_injury.csv then has as well."));
 }
 
 

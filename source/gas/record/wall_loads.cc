@@ -3,6 +3,7 @@
 
 #include <contrecoup/base/parameters/bounds.h>
 #include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/parameters/used_with.h>
 #include <contrecoup/base/system/coordinates.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/timers.h>
@@ -30,34 +31,33 @@ void WallLoads<dim>::declare_parameters(ParameterHandler &prm)
                "false",
                "Whether the overpressure on every facet of the rigid body is "
                "recorded in loads.h5 during the run.");
+  LoadGauges::declare_parameters(prm);
+  const UsedWith used("Loads/Record = true");
   declare_double(prm,
                  "Interval",
                  "0",
                  0.,
                  bounds::time,
                  "s",
-                 "Time between samples; each is the mean since the previous "
-                 "one, so that impulses are exact; 0: every step. Peaks and "
-                 "arrivals follow from every step.");
+                 "Time between samples, each the mean since the previous one; "
+                 "0: every step. Peaks and arrivals follow from every step.");
   declare_double(prm,
                  "Largest loss of peaks",
                  "0.01",
                  0.,
                  1.,
                  "-",
-                 "Largest fraction of a facet's peak that samples may lose; "
-                 "if a step would exceed it, samples end before and after "
-                 "that step. 1: only the interval ends samples.");
-  declare_double(prm,
-                 "Smallest overpressure",
-                 "1e-4",
-                 0.,
-                 0.01,
-                 "-",
-                 "Relative change of the pressure on any facet at which "
-                 "sampling begins; the first sample is the mean over all "
-                 "time before, so that impulses are exact.");
-  LoadGauges::declare_parameters(prm);
+                 "Largest part of a facet's peak that samples may lose; a step "
+                 "that would exceed it is a sample. 1: the interval alone.");
+  declare_double(
+    prm,
+    "Smallest overpressure",
+    "1e-4",
+    0.,
+    0.01,
+    "-",
+    "Relative change of the pressure on any facet at which samples "
+    "begin; the first is the mean over all time before.");
 }
 
 

@@ -3,6 +3,7 @@
 
 #include <contrecoup/base/parameters/parameters.h>
 #include <contrecoup/base/parameters/selecting.h>
+#include <contrecoup/base/parameters/used_with.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/gas/octree/lattice.h>
@@ -169,12 +170,14 @@ void GasOutput<dim>::declare_parameters(ParameterHandler &prm)
                  "false",
                  "Whether a finished run draws its history, probes, planes, "
                  "maps and loads in the folder pictures.");
-    declare_bool(prm,
-                 "Volume fields",
-                 "true",
-                 "Whether field outputs include the gas in the whole domain, "
-                 "for ParaView, besides planes and probes; some 30 bytes per "
-                 "cell and output.");
+    declare_bool(
+      prm,
+      "Volume fields",
+      "true",
+      used_with("Output/Fields = true",
+                "Whether field outputs include the gas in the whole domain, "
+                "for ParaView, besides planes and probes; some 30 bytes per "
+                "cell and output."));
   }
   const Section section(prm, "Pictures");
   declare_string(
@@ -189,7 +192,8 @@ void GasOutput<dim>::declare_parameters(ParameterHandler &prm)
                   "256",
                   2,
                   4096,
-                  "Samples along the longer side of a picture.");
+                  used_with("Pictures/Planes not empty",
+                            "Samples along the longer side of a picture."));
 }
 
 

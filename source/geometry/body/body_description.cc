@@ -3,6 +3,7 @@
 
 #include <contrecoup/base/parameters/parameter_tree.h>
 #include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/parameters/used_with.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/geometry/body/body_description.h>
 #include <contrecoup/geometry/body/inserted_organs.h>
@@ -68,21 +69,26 @@ void BodyDescription::declare_parameters(dealii::ParameterHandler &prm)
   Placement::declare_parameters(prm);
   {
     const Section section(prm, "Phantom");
+    const UsedWith used("Body/Kind or Body/Surface/Organs = phantom");
     Phantom::declare_parameters(prm);
   }
   {
     const Section section(prm, "Shape");
+    const UsedWith used("Body/Kind = shape");
     SimpleBody::declare_parameters(prm);
   }
   {
     const Section section(prm, "Surface");
+    const UsedWith used("Body/Kind = surface");
     SurfaceBody::declare_parameters(prm);
   }
   {
     const Section section(prm, "Image");
+    const UsedWith used("Body/Kind = image");
     ImageDescription::declare_parameters(prm);
   }
   const Section section(prm, "Mesh");
+  const UsedWith used("Body/Kind = mesh");
   MeshBodyDescription::declare_parameters(prm);
 }
 

@@ -4,6 +4,7 @@
 #include <contrecoup/base/parameters/parameters.h>
 #include <contrecoup/base/parameters/selecting.h>
 #include <contrecoup/base/parameters/selections.h>
+#include <contrecoup/base/parameters/used_with.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/geometry/body/image_body.h>
@@ -209,19 +210,24 @@ void ImageDescription::declare_parameters(dealii::ParameterHandler &prm)
     "A label map, or a T1-weighted image of a head with a brain mask.");
   declare_file(
     prm, "File", "", "NIfTI-1 image: .nii, .nii.gz, or .hdr beside its .img.");
-  declare_file(prm,
-               "Brain mask",
-               "",
-               "NIfTI-1 image with the same voxels as the T1-weighted "
-               "image, positive inside the brain.");
+  declare_file(
+    prm,
+    "Brain mask",
+    "",
+    used_with("Body/Image/Kind = t1 and brain mask",
+              "NIfTI-1 image with the same voxels as the T1-weighted "
+              "image, positive inside the brain."));
   declare_string(
     prm,
     "Labels",
     "",
-    selecting("Tissue of each label, such as \"1: brain; 2-5: skeleton; "
-              "7: scalp = soft tissue\"; none excludes a label from the "
-              "body, as is label 0 unless named."));
+    used_with(
+      "Body/Image/Kind = labels",
+      selecting("Tissue of each label, such as \"1: brain; 2-5: skeleton; "
+                "7: scalp = soft tissue\"; none excludes a label from the "
+                "body, as is label 0 unless named.")));
   const Section section(prm, "Head");
+  const UsedWith used("Body/Image/Kind = t1 and brain mask");
   HeadRules::declare_parameters(prm);
 }
 

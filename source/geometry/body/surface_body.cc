@@ -3,6 +3,7 @@
 
 #include <contrecoup/base/parameters/parameters.h>
 #include <contrecoup/base/parameters/tissue_list.h>
+#include <contrecoup/base/parameters/used_with.h>
 #include <contrecoup/base/system/coordinates.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
@@ -88,6 +89,7 @@ namespace
       "the organs of the phantom (subsection Phantom), warped "
       "section by section to the surface of one person who stands "
       "or lies, from the soles to the vertex, in any direction.");
+    const UsedWith used("Body/Surface/Organs = phantom");
     declare_string(
       prm,
       "Facing",

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/parameters/bounds.h>
+#include <contrecoup/base/parameters/used_with.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/geometry/mesh/cell_shapes.h>
 #include <contrecoup/geometry/mesh/coarse_mesh.h>
@@ -55,34 +56,41 @@ namespace
 
   void declare_shapes(ParameterHandler &prm)
   {
-    prm.declare_entry("Cone angle",
-                      "1.134",
-                      Patterns::Double(1e-3, 120.),
-                      "Angle between opposite sides of the cone [degrees], "
-                      "with square cross-section in 3-D, a wedge in 2-D; "
-                      "the tip is the origin, and x ranges from that of "
-                      "Lower corner, which must be positive, to that of "
-                      "Upper corner.");
+    prm.declare_entry(
+      "Cone angle",
+      "1.134",
+      Patterns::Double(1e-3, 120.),
+      used_with("Domain/Mesh = cone",
+                "Angle between opposite sides of the cone [degrees], "
+                "with square cross-section in 3-D, a wedge in 2-D; "
+                "the tip is the origin, and x ranges from that of "
+                "Lower corner, which must be positive, to that of "
+                "Upper corner."));
     prm.declare_entry(
       "Generator",
       "hyper_ball",
       Patterns::Anything(),
-      "Name of the deal.II GridGenerator function. Where it has "
-      "curved manifolds, refined cells follow these, and cells "
-      "of the Galerkin scheme are curved (Method/Cell degree).");
-    prm.declare_entry("Generator arguments",
-                      "",
-                      Patterns::Anything(),
-                      "All arguments after the triangulation, including "
-                      "those with defaults, separated by colons, lengths in "
-                      "m; a hyper_ball in 2-D has \"0, 0 : 1 : true\".");
-    prm.declare_entry("Mesh file",
-                      "",
-                      Patterns::FileName(),
-                      "Path of a mesh of hexahedra or quadrilaterals in a "
-                      "format that deal.II recognises by extension (.msh, "
-                      ".inp, .vtk, .ucd, .unv), lengths in m; relative "
-                      "paths are first resolved beside the parameter file.");
+      used_with("Domain/Mesh = generator",
+                "Name of the deal.II GridGenerator function. Where it has "
+                "curved manifolds, refined cells follow these, and cells "
+                "of the Galerkin scheme are curved (Method/Cell degree)."));
+    prm.declare_entry(
+      "Generator arguments",
+      "",
+      Patterns::Anything(),
+      used_with("Domain/Mesh = generator",
+                "All arguments after the triangulation, including "
+                "those with defaults, separated by colons, lengths in "
+                "m; a hyper_ball in 2-D has \"0, 0 : 1 : true\"."));
+    prm.declare_entry(
+      "Mesh file",
+      "",
+      Patterns::FileName(),
+      used_with("Domain/Mesh = file",
+                "Path of a mesh of hexahedra or quadrilaterals in a "
+                "format that deal.II recognises by extension (.msh, "
+                ".inp, .vtk, .ucd, .unv), lengths in m; relative "
+                "paths are first resolved beside the parameter file."));
   }
 } // namespace
 
@@ -123,14 +131,18 @@ void CoarseMesh<dim>::declare_parameters(ParameterHandler &prm)
                     "Coarse mesh: a box of equal cells, a cone around the x "
                     "axis, a deal.II GridGenerator function, or a file.");
   const Patterns::Double coordinate(-bounds::length, bounds::length);
-  prm.declare_entry("Lower corner",
-                    "0, 0, 0",
-                    Patterns::List(coordinate, 1, 3),
-                    "Corner of the box with the smallest coordinates [m].");
-  prm.declare_entry("Upper corner",
-                    "1, 1, 1",
-                    Patterns::List(coordinate, 1, 3),
-                    "Corner of the box with the largest coordinates [m].");
+  prm.declare_entry(
+    "Lower corner",
+    "0, 0, 0",
+    Patterns::List(coordinate, 1, 3),
+    used_with("Domain/Mesh = box, cone",
+              "Corner of the box with the smallest coordinates [m]."));
+  prm.declare_entry(
+    "Upper corner",
+    "1, 1, 1",
+    Patterns::List(coordinate, 1, 3),
+    used_with("Domain/Mesh = box, cone",
+              "Corner of the box with the largest coordinates [m]."));
   prm.declare_entry("Size",
                     "given",
                     Patterns::Selection("given|by time"),
@@ -138,11 +150,13 @@ void CoarseMesh<dim>::declare_parameters(ParameterHandler &prm)
                     "beyond its open sides by whole coarse leaves until no "
                     "wave from these sides can reach a point of Probes or "
                     "the rigid body before the end time.");
-  prm.declare_entry("Coarse leaves",
-                    "1, 1, 1",
-                    Patterns::List(Patterns::Integer(1), 1, 3),
-                    "Leaves of the unrefined box in each direction [-], at "
-                    "least 1; each is the root of an octree.");
+  prm.declare_entry(
+    "Coarse leaves",
+    "1, 1, 1",
+    Patterns::List(Patterns::Integer(1), 1, 3),
+    used_with("Domain/Mesh = box, cone",
+              "Leaves of the unrefined box in each direction [-], at "
+              "least 1; each is the root of an octree."));
   prm.declare_entry("Initial refinement",
                     "0",
                     Patterns::Integer(0, 20),

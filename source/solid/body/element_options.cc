@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/parameters/used_with.h>
 #include <contrecoup/solid/body/element_options.h>
 
 #include <cmath>
@@ -12,6 +13,39 @@ namespace
 {
   /// Names of the values of Integration, in the same order.
   const std::vector<std::string> integration_names{"one-point", "full"};
+
+  void declare_hourglass(ParameterHandler &prm)
+  {
+    const UsedWith used("Elements/Integration = one-point");
+    declare_selection(prm,
+                      "Hourglass control",
+                      "stiffness",
+                      hourglass_names(),
+                      "Resistance to the hourglass modes of one-point "
+                      "integration; with none they grow freely.");
+    declare_double(
+      prm,
+      "Hourglass coefficient",
+      "1",
+      0.,
+      10.,
+      "-",
+      used_with("Elements/Hourglass control not none",
+                "Factor on the hourglass stiffness from the shear modulus; "
+                "1 gives bricks their correct bending stiffness, less is "
+                "softer."));
+    declare_double(prm,
+                   "Hourglass damping",
+                   "0",
+                   0.,
+                   0.2,
+                   "-",
+                   "Fraction of rho c h^2 that damps hourglass modes where "
+                   "the bulk modulus exceeds 100 times the shear modulus, as "
+                   "in the brain. It removes motion with pressures that "
+                   "alternate from element to element, and damps shear waves "
+                   "of few elements.");
+  }
 
   void declare_smoothing(ParameterHandler &prm)
   {
@@ -70,32 +104,7 @@ void ElementOptions::declare_parameters(ParameterHandler &prm)
                     "full: 2 x 2 x 2 Gauss points for shear, one dilatation "
                     "and no hourglass modes; takes 2.5 times as long and is "
                     "too stiff in bending.");
-  declare_selection(prm,
-                    "Hourglass control",
-                    "stiffness",
-                    hourglass_names(),
-                    "Resistance to the hourglass modes of one-point "
-                    "integration; with none they grow freely.");
-  declare_double(prm,
-                 "Hourglass coefficient",
-                 "1",
-                 0.,
-                 10.,
-                 "-",
-                 "Factor on the hourglass stiffness from the shear modulus; "
-                 "1 gives bricks their correct bending stiffness, less is "
-                 "softer.");
-  declare_double(prm,
-                 "Hourglass damping",
-                 "0",
-                 0.,
-                 0.2,
-                 "-",
-                 "Fraction of rho c h^2 that damps hourglass modes where "
-                 "the bulk modulus exceeds 100 times the shear modulus, as "
-                 "in the brain. It removes motion with pressures that "
-                 "alternate from element to element, and damps shear waves "
-                 "of few elements.");
+  declare_hourglass(prm);
   declare_smoothing(prm);
   declare_bool(prm,
                "Skip quiet",

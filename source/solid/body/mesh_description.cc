@@ -3,7 +3,6 @@
 
 #include <contrecoup/base/parameters/parameter_tree.h>
 #include <contrecoup/base/parameters/parameters.h>
-#include <contrecoup/base/parameters/selecting.h>
 #include <contrecoup/base/parameters/selections.h>
 #include <contrecoup/base/parameters/tissue_list.h>
 #include <contrecoup/base/system/exceptions.h>
@@ -11,7 +10,6 @@
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/geometry/mesh/hex_quality.h>
 #include <contrecoup/geometry/mesh/mesh_file.h>
-#include <contrecoup/geometry/mesh/mesh_format.h>
 #include <contrecoup/geometry/mesh/stray_cells.h>
 #include <contrecoup/geometry/mesh/triangulation_hexes.h>
 #include <contrecoup/solid/body/mesh_description.h>
@@ -37,163 +35,7 @@ namespace
       all = all + quality;
     return all.shortest_length;
   }
-
-  const std::vector<std::string> kinds{"box",
-                                       "ball octant",
-                                       "shell octant",
-                                       "patch",
-                                       "file",
-                                       "body"};
-
-  void declare_box(ParameterHandler &prm)
-  {
-    declare_list(prm,
-                 "Lower corner",
-                 "0, 0, 0",
-                 3,
-                 3,
-                 -1e6,
-                 1e6,
-                 "m",
-                 "Lower corner of the box.");
-    declare_list(prm,
-                 "Upper corner",
-                 "1, 1, 1",
-                 3,
-                 3,
-                 -1e6,
-                 1e6,
-                 "m",
-                 "Upper corner of the box.");
-    declare_list(prm,
-                 "Elements",
-                 "4, 4, 4",
-                 3,
-                 3,
-                 1.,
-                 1e5,
-                 "-",
-                 "Number of elements of the box along x, y and z.");
-    declare_string(
-      prm,
-      "Refined where",
-      "",
-      selecting("muParser expression of x, y, z: elements of the box "
-                "with a true value at their centre are refined once. "
-                "Several expressions, separated by ';', apply one after "
-                "the other. Hanging nodes arise where sizes differ."));
-    declare_double(prm,
-                   "Distortion",
-                   "0",
-                   0.,
-                   0.45,
-                   "-",
-                   "Inner nodes of the box are moved randomly by this "
-                   "fraction of the shortest edge.");
-  }
-
-  void declare_others(ParameterHandler &prm)
-  {
-    declare_double(prm,
-                   "Inner radius",
-                   "0.01",
-                   1e-9,
-                   1e6,
-                   "m",
-                   "Inner radius of the shell octant.");
-    declare_double(prm,
-                   "Outer radius",
-                   "0.1",
-                   1e-9,
-                   1e6,
-                   "m",
-                   "Outer radius of the ball or shell octant, x, y, z >= 0.");
-    declare_integer(
-      prm,
-      "Refinements",
-      "0",
-      0,
-      10,
-      "Number of global refinements of ball, shell or file, 0 to 10.");
-    declare_file(prm,
-                 "File",
-                 "",
-                 "Mesh of 8-node hexahedra with lengths in m: " +
-                   accepted_mesh_formats() + ".");
-    MeshGroups::declare_parameters(prm);
-    declare_double(prm,
-                   "Element size",
-                   "0.01",
-                   1e-6,
-                   1e3,
-                   "m",
-                   "Edge length of the elements of a body; with coarsening, "
-                   "of those at surfaces and interfaces.");
-    declare_integer(prm,
-                    "Coarsening levels",
-                    "0",
-                    0,
-                    6,
-                    "How often the elements of a body may double in size "
-                    "away from surfaces and interfaces, 0 to 6.");
-    declare_integer(prm,
-                    "Smoothing iterations",
-                    "0",
-                    0,
-                    1000,
-                    "Steps of Taubin smoothing of the surfaces and "
-                    "interfaces of a body, 0 (voxel stairs) to 1000.");
-    declare_double(prm,
-                   "Smallest scaled Jacobian",
-                   "0.2",
-                   0.01,
-                   0.9,
-                   "-",
-                   "Smoothing is undone where it would reduce the scaled "
-                   "Jacobian of an element below this value.");
-  }
-
-  void declare_tissues(ParameterHandler &prm)
-  {
-    const std::string known =
-      join({tissue_names().begin() + 1, tissue_names().end()}, ", ");
-    declare_string(prm,
-                   "Tissue",
-                   "soft tissue",
-                   "Tissue of box, octants and patch: one of " + known +
-                     ", or of the user's own (Materials/Tissue NAME).");
-    const Section section(prm, "Region *");
-    declare_string(prm,
-                   "Tissue",
-                   "soft tissue",
-                   "Tissue of the elements of this region, as Mesh/Tissue.");
-    declare_string(
-      prm,
-      "Where",
-      "1",
-      selecting("muParser expression of x, y, z that is true at the "
-                "centres of the region's elements; later regions win."));
-  }
 } // namespace
-
-
-void MeshDescription::declare_parameters(ParameterHandler &prm)
-{
-  {
-    const Section section(prm, "Mesh");
-    declare_selection(prm,
-                      "Kind",
-                      "box",
-                      kinds,
-                      "patch is the unit cube of 7 elements of MacNeal and "
-                      "Harder; body is the shape of section Body.");
-    declare_box(prm);
-    declare_others(prm);
-    declare_tissues(prm);
-  }
-  const Section section(prm, "Body");
-  BodyDescription::declare_parameters(prm);
-}
 
 
 void MeshDescription::parse_parameters(ParameterHandler &prm)

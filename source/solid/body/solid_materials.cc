@@ -5,6 +5,7 @@
 #include <contrecoup/base/parameters/parameters.h>
 #include <contrecoup/base/parameters/selecting.h>
 #include <contrecoup/base/parameters/tissue_list.h>
+#include <contrecoup/base/parameters/used_with.h>
 #include <contrecoup/solid/body/solid_materials.h>
 
 #include <algorithm>
@@ -28,13 +29,15 @@ void SolidMaterials::declare_parameters(ParameterHandler &prm)
                     "Tissue properties: table 1 of the paper, measured wave "
                     "speeds of tissue, or the paper's with the lung of the "
                     "latter.");
-  declare_selection(prm,
-                    "Reading of G1",
-                    "relaxing branch",
-                    {"relaxing branch", "long-term modulus"},
-                    "Meaning of the paper's G1 = 33 kPa of the brain: the "
-                    "part that relaxes (leaving 16 kPa, as published for "
-                    "brain), or the long-term modulus.");
+  declare_selection(
+    prm,
+    "Reading of G1",
+    "relaxing branch",
+    {"relaxing branch", "long-term modulus"},
+    used_with("Materials/Set = paper",
+              "Meaning of the paper's G1 = 33 kPa of the brain: the "
+              "part that relaxes (leaving 16 kPa, as published for "
+              "brain), or the long-term modulus."));
   declare_selection(prm,
                     "Bulk law",
                     bulk_laws[0],
@@ -53,15 +56,17 @@ void SolidMaterials::declare_parameters(ParameterHandler &prm)
               "separated by commas. Cavities open there at constant "
               "pressure and collapse when the matter meets again. Empty: "
               "all bear any tension."));
-  declare_double(prm,
-                 "Least pressure",
-                 "-98.99e3",
-                 -1e12,
-                 -1e-6,
-                 "Pa",
-                 "Of cavitating tissues, above the ambient pressure; the "
-                 "default is the vapour pressure of water at 20 degrees "
-                 "Celsius, 2.34 kPa, less 101.325 kPa.");
+  declare_double(
+    prm,
+    "Least pressure",
+    "-98.99e3",
+    -1e12,
+    -1e-6,
+    "Pa",
+    used_with("Materials/Cavitating tissues not empty",
+              "Of cavitating tissues, above the ambient pressure; the "
+              "default is the vapour pressure of water at 20 degrees "
+              "Celsius, 2.34 kPa, less 101.325 kPa."));
   OwnTissues::declare_parameters(prm);
 }
 

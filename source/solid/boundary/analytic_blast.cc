@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/parameters/used_with.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/gather.h>
 #include <contrecoup/base/system/text.h>
@@ -26,6 +27,7 @@ namespace
   void declare_friedlander(ParameterHandler &prm)
   {
     const Section section(prm, "Friedlander");
+    const UsedWith used("Kind = friedlander");
     declare_double(prm,
                    "Peak",
                    "1e5",
@@ -68,13 +70,15 @@ namespace
                       "Whether facets that face the charge feel the peak of "
                       "a normally reflected shock in air, with the same "
                       "duration and decay.");
-    declare_double(prm,
-                   "Ambient pressure",
-                   "101325",
-                   1.,
-                   1e9,
-                   "Pa",
-                   "Ambient pressure of the air, for the reflected shock.");
+    declare_double(
+      prm,
+      "Ambient pressure",
+      "101325",
+      1.,
+      1e9,
+      "Pa",
+      used_with("Reflection = normal shock",
+                "Ambient pressure of the air, for the reflected shock."));
     declare_bool(prm,
                  "Negative phase",
                  "false",
@@ -85,6 +89,7 @@ namespace
   void declare_tables(ParameterHandler &prm)
   {
     const Section section(prm, "Kingery Bulmash");
+    const UsedWith used("Kind = kingery bulmash");
     declare_double(
       prm, "Mass", "1", 1e-9, 1e9, "kg", "TNT mass of the charge.");
     declare_list(prm,

@@ -4,6 +4,7 @@
 #include <contrecoup/base/parameters/parameters.h>
 #include <contrecoup/base/parameters/selecting.h>
 #include <contrecoup/base/parameters/tissue_list.h>
+#include <contrecoup/base/parameters/used_with.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/io/file/binary_records.h>
 #include <contrecoup/io/file/checked_file.h>
@@ -45,6 +46,7 @@ void SlipTies::declare_parameters(dealii::ParameterHandler &prm)
                     "tied: all tissues share their nodes; slip: between "
                     "Tissues and Against only the normal motion is shared, "
                     "and there is no friction.");
+  const UsedWith used("Interface/Contact = slip");
   declare_string(
     prm,
     "Tissues",

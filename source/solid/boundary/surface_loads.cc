@@ -4,6 +4,7 @@
 #include <contrecoup/base/parameters/parameter_tree.h>
 #include <contrecoup/base/parameters/parameters.h>
 #include <contrecoup/base/parameters/selecting.h>
+#include <contrecoup/base/parameters/used_with.h>
 #include <contrecoup/base/system/log.h>
 #include <contrecoup/solid/boundary/analytic_blast.h>
 #include <contrecoup/solid/boundary/recorded_loads.h>
@@ -83,11 +84,13 @@ void SurfaceLoads::declare_parameters(ParameterHandler &prm)
                  "1",
                  selecting("muParser expression of x, y, z that is true at the "
                            "centres of the loaded boundary facets."));
-  declare_string(prm,
-                 "Pressure",
-                 "0",
-                 "[Pa] Overpressure as a muParser expression of x, y, z, t "
-                 "and pi; positive values push inwards.");
+  declare_string(
+    prm,
+    "Pressure",
+    "0",
+    used_with("Kind = expression",
+              "[Pa] Overpressure as a muParser expression of x, y, z, t "
+              "and pi; positive values push inwards."));
   AnalyticBlast::declare_parameters(prm);
 }
 

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/parameters/used_with.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/solid/boundary/surroundings.h>
@@ -52,6 +53,7 @@ void Surroundings::declare_parameters(ParameterHandler &prm)
                "Active",
                "false",
                "Whether there is rigid frictionless ground below the body.");
+  const UsedWith used("Ground/Active = true");
   declare_double(
     prm, "Height", "0", -1e6, 1e6, "m", "z coordinate of the ground.");
   declare_double(prm,

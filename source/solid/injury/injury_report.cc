@@ -3,6 +3,7 @@
 
 #include <contrecoup/base/parameters/parameters.h>
 #include <contrecoup/base/parameters/selecting.h>
+#include <contrecoup/base/parameters/used_with.h>
 #include <contrecoup/base/system/coordinates.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
@@ -60,6 +61,7 @@ void InjuryReport<Real>::declare_parameters(ParameterHandler &prm)
     "false",
     selecting("Whether strains and pressures of the brain, motion of the "
               "head and pressure on the chest are recorded for injury.csv."));
+  const UsedWith used("Injury/Active = true");
   declare_selection(prm,
                     "Pressure",
                     "averaged",

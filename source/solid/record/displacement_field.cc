@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/parameters/used_with.h>
 #include <contrecoup/solid/body/stress_invariants.h>
 #include <contrecoup/solid/record/displacement_field.h>
 
@@ -77,11 +78,13 @@ void ReferenceMotion::declare_parameters(ParameterHandler &prm)
     "false",
     "Whether errors against the reference displacements below are computed.");
   for (const std::string &axis : axes)
-    declare_string(prm,
-                   "Displacement " + axis,
-                   "0",
-                   "[m] Reference displacement as a muParser expression of "
-                   "x, y, z (undeformed coordinates), t and pi.");
+    declare_string(
+      prm,
+      "Displacement " + axis,
+      "0",
+      used_with("Reference/Displacement = true",
+                "[m] Reference displacement as a muParser expression of "
+                "x, y, z (undeformed coordinates), t and pi."));
   declare_string(prm,
                  "Pressure",
                  "",

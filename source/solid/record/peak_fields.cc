@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/parameters/used_with.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/io/file/checked_file.h>
 #include <contrecoup/solid/body/stress_invariants.h>
@@ -54,6 +55,7 @@ void PeakFields<Real>::declare_parameters(ParameterHandler &prm)
                "time: highest and lowest pressure, largest von Mises stress "
                "and principal strain. The summary then has their extremes "
                "in each tissue, and the 95th percentile of strain.");
+  const UsedWith used("Peaks/Active = true");
   declare_selection(prm,
                     "Pressure",
                     "averaged",

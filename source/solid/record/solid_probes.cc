@@ -5,6 +5,7 @@
 #include <contrecoup/base/parameters/parameter_tree.h>
 #include <contrecoup/base/parameters/parameters.h>
 #include <contrecoup/base/parameters/selecting.h>
+#include <contrecoup/base/parameters/used_with.h>
 #include <contrecoup/base/system/coordinates.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
@@ -161,7 +162,9 @@ void SolidProbes::declare_parameters(ParameterHandler &prm)
     -bounds::energy,
     bounds::energy,
     "-",
-    "Threshold of arrival and frequency, in the unit of the quantity.");
+    used_with(
+      "Statistic = arrival, frequency",
+      "Threshold of arrival and frequency, in the unit of the quantity."));
   declare_double(prm,
                  "Expected",
                  "0",

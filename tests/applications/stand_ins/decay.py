@@ -180,6 +180,8 @@ def check():
     """What --check says."""
     if flawed("silent"):
         return
+    if flawed("thoughtless"):
+        print("WARNING: Step size is set but not used: Flaw is thoughtless")
     print("decay would run\nThe parameters are valid.")
 
 

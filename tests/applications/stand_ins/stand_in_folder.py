@@ -78,6 +78,14 @@ def unlock():
 
 def admit(before):
     """Whether the run may begin."""
+    has_checkpoint = bool(glob.glob(path(NAMES[2])))
+    others = [name for name in os.listdir(output) if name != "lock"]
+    is_finished = (before or {}).get("status") == "finished"
+    if "--resume" in sys.argv and not has_checkpoint and flaw != "rash" and (
+            is_finished or before is None and others):
+        leave("--resume: there is no checkpoint")
+    if "--resume" in sys.argv and not has_checkpoint and flaw != "silent":
+        print("it holds nothing to go on with yet; the run begins")
     if before is None:
         for name in NAMES:
             if os.path.exists(path(name)) and flaw != "ruthless":
@@ -118,11 +126,11 @@ def run():
     for number in (signal.SIGINT, signal.SIGTERM, signal.SIGUSR1):
         signal.signal(number, lambda found, _: asked.append(found))
     write_manifest("started")
-    for name in NAMES:
+    for name in NAMES[:2] if "Brief" in entries else NAMES:
         write(name, str(entries))
     first, step = 0, -1
-    if ("--resume" in sys.argv and os.path.exists(path("summary.json"))
-            and flaw != "repeats"):
+    resumes = "--resume" in sys.argv and os.path.exists(path("summary.json"))
+    if resumes and flaw != "repeats":
         first = json.loads(read("summary.json"))["steps"]
     last = int(entries.get("Steps", "3"))
     stop = first + int(entries.get("Time/Steps in this run", last))
@@ -134,7 +142,7 @@ def run():
     is_stopped = asked or stop < last
     write("summary.json", json.dumps(
         {"status": "stopped" if is_stopped else "finished", "steps": step + 1,
-         "resumed_from_step": first}))
+         "resumed_from_step": first if resumes else None}))
     write("checkpoint/1/run.json", json.dumps({"state": {"step": step + 1}}))
     write_manifest("stopped" if is_stopped else "finished")
     print("results in " + output)

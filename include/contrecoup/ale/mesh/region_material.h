@@ -12,9 +12,6 @@ namespace contrecoup::ale
 /// Declares the material of a region, in the region's subsection.
 void declare_region_material(dealii::ParameterHandler &prm);
 
-/// Entries of a region that do not describe a material of this name.
-std::vector<std::string> entries_without_effect(const std::string &material);
-
 /**
  * Reads the material from the subsection of region @p name.
  * @throws InputError for unphysical constants

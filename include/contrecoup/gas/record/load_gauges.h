@@ -104,6 +104,8 @@ public:
   /// The same as a text table, one line per row.
   std::vector<std::string> table(const double time) const;
 
+  std::vector<std::string> names() const;
+
   /// The gauges in the syntax of entry "Loads/Gauges".
   std::string description() const;
 
