@@ -3,6 +3,7 @@
 
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
+#include <contrecoup/io/application/check_file.h>
 #include <contrecoup/io/output/history_reader.h>
 #include <contrecoup/study/curve.h>
 #include <contrecoup/study/factor.h>
@@ -58,16 +59,10 @@ namespace
       std::all_of(curve.values.begin(), curve.values.end(), [](double value) {
         return std::isfinite(value);
       });
-    using Feature = double (*)(const Curve &);
-    for (const auto &[name, feature] :
-         std::initializer_list<std::pair<const char *, Feature>>{
-           {"largest", largest},
-           {"smallest", smallest},
-           {"peak", peak},
-           {"lowest", lowest},
-           {"impulse", impulse},
-           {"arrival", arrival}})
-      values.emplace_back(name,
+    // In the order of io::history_features().
+    for (double (*feature)(const Curve &) :
+         {largest, smallest, peak, lowest, impulse, arrival})
+      values.emplace_back(io::history_features()[values.size()],
                           is_whole ? feature(curve)
                                    : std::numeric_limits<double>::quiet_NaN());
     return values;

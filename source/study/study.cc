@@ -432,7 +432,7 @@ void Study::execute(const io::CommandLine &command,
     return;
   require_possible_outputs(
     forecast_variants(application_, tasks_, 1, parameters_.cores, false));
-  prepare(parameter_text, command.resume, claim);
+  prepare(parameter_text, claim.goes_on(command, has_outcomes()), claim);
   begin_ = std::chrono::steady_clock::now();
   VariantRunner runner(application_, parameters_.cores, parameters_.time_limit);
   const bool complete =

@@ -14,6 +14,7 @@ namespace
 {
   void execute(const io::CommandLine &command, dealii::ParameterHandler &prm)
   {
+    io::warn_of_unused(command, prm);
     StudyParameters parameters;
     parameters.parse_parameters(prm);
     if (parameters.title.empty())

@@ -83,6 +83,43 @@ namespace
   {
     return text.compare(0, begin.size(), begin) == 0;
   }
+
+  bool contains(const std::string &text, const char letter)
+  {
+    return text.find(letter) != std::string::npos;
+  }
+
+  /// What follows in @p address as many separators as @p begin has.
+  std::string end_after(const std::string &begin, const std::string &address)
+  {
+    const char separator = contains(address, ':') ? ':' : '.';
+    std::size_t place = 0;
+    for (auto left = std::count(begin.begin(), begin.end(), separator);
+         left > 0 && place != std::string::npos;
+         --left)
+    {
+      place = address.find(separator, place);
+      place += place == std::string::npos ? 0 : 1;
+    }
+    return place == std::string::npos ? "" : address.substr(place);
+  }
+
+  /// Patterns, of tables their names alone, each once.
+  std::vector<std::string>
+  brief_patterns(const std::vector<std::string> &outputs)
+  {
+    std::vector<std::string> result;
+    for (const std::string &output : outputs)
+    {
+      const std::string name = contains(output, ':')
+                                 ? output.substr(0, output.find(':')) + ":*"
+                                 : output;
+      if (contains(name, '*') &&
+          std::find(result.begin(), result.end(), name) == result.end())
+        result.push_back(name);
+    }
+    return result;
+  }
 } // namespace
 
 std::vector<VariantForecast>
@@ -146,6 +183,9 @@ bool can_have(const std::vector<std::string> &outputs,
 {
   return std::any_of(
     outputs.begin(), outputs.end(), [&](const std::string &output) {
+      // Without a colon an address is one of summary.json.
+      if (contains(output, ':') != contains(address, ':'))
+        return false;
       if (address.find('*') == std::string::npos)
         return fnmatch(output.c_str(), address.c_str(), 0) == 0;
       // Two patterns can agree if what precedes their first "*" does.
@@ -158,21 +198,17 @@ bool can_have(const std::vector<std::string> &outputs,
 std::string suggest_output(const std::vector<std::string> &outputs,
                            const std::string &address)
 {
-  // The end of an address, which follows the first "." or ":", is unknown.
-  const std::size_t mark =
-    address.find(address.find(':') == std::string::npos ? '.' : ':');
-  const std::string end =
-    mark == std::string::npos ? "" : address.substr(mark + 1);
-  std::vector<std::string> candidates, patterns;
+  std::vector<std::string> candidates;
   for (const std::string &output : outputs)
   {
-    const bool is_pattern = output.find('*') != std::string::npos;
-    candidates.push_back(literal_begin(output) + (is_pattern ? end : ""));
-    if (is_pattern)
-      patterns.push_back(output);
+    const std::string begin = literal_begin(output);
+    const std::string candidate =
+      begin + (contains(output, '*') ? end_after(begin, address) : "");
+    if (can_have({output}, candidate))
+      candidates.push_back(candidate);
   }
   const std::string best = nearest(address, candidates);
-  return best.empty() ? "; it has " + join(patterns, ", ")
+  return best.empty() ? "; it has " + join(brief_patterns(outputs), ", ")
                       : "; did you mean \"" + best + "\"?";
 }
 } // namespace contrecoup::study

@@ -46,6 +46,18 @@ contrecoup_add_application_test(folder_foreign folder_foreign
   FILE scene/verification/head.prm COMPARE scene.json report.html
   blast/history.csv anatomy/mesh.vtu blast.prm TIMEOUT 120)
 
+# Killed before there is anything to go on with, and begun by --resume.
+set(_endless ARGUMENTS --set "Time/End time=1e3" --set
+  "Time/Largest number of steps=1000000")
+contrecoup_add_application_test(folder_begins folder_begins ${_ball} ${_endless}
+  TIMEOUT 120)
+contrecoup_add_application_test(folder_begins folder_begins ${_wave} ${_endless}
+  TIMEOUT 120)
+contrecoup_add_application_test(folder_begins folder_begins
+  FILE head_impact/verification/sod.prm ${_endless} TIMEOUT 120)
+contrecoup_add_application_test(folder_begins folder_begins
+  FILE study/quickstart.prm SET "Vary leaves/Values=10; 20" TIMEOUT 120)
+
 # Most of the time goes to waiting for mpirun and signals.
 foreach(_ranks 1 2 3)
   contrecoup_add_application_test(folder_lock_on_${_ranks} folder_lock ${_ball}
@@ -128,6 +140,8 @@ contrecoup_add_application_test(folder_cache folder_cache
   COMPARE study.md pictures/work_precision.svg TIMEOUT 300)
 contrecoup_add_application_test(folder_default folder_default
   FILE scene/verification/head.prm TIMEOUT 300)
+contrecoup_add_application_test(folder_begins folder_begins ${_head_loads}
+  "Scene/End time=0.0005" "Scene/Forecast=true" TIMEOUT 300)
 contrecoup_add_application_test(folder_stages folder_stages
   ${_head_loads}
   TIMEOUT 600)

@@ -239,8 +239,6 @@ def refused_scenes():
              "0 for none, or a number from 1e+04 to"),
             ("Charge/Afterburn energy", "5e7",
              "the products of c-4 release at most 5.979e+06 J/kg"),
-            ("Charge/Custom explosive/Density", "1650",
-             "set Charge/Explosive = custom"),
             ("Tissues/Tissue brian/Density", "100",
              'Tissues/Tissue brian: no tissue of the library has this name; did '
              'you mean "brain"? (known are soft tissue, skin'),
@@ -276,6 +274,11 @@ def refused_scenes():
                    entry("Body/Image/File", OTHER),
                    entry("Body/Image/Labels", "1: bran")),
            'row "1: bran": "bran" is no tissue; did you mean "brain"?')
+    yield ("distance that no place has", "scene",
+           shipped(SCENE, end, entry("Body/Shift", "0, 0, 5"),
+                   entry("Charge/Height", "0.5")),
+           "at Charge/Height = 0.5 m a charge is at least 4.876 "
+           "m from the body; give that Distance, a Height from 5 to 6.756 m")
     custom = entry("Charge/Explosive", "custom")
     yield ("explosive without a sound speed", "scene",
            shipped(SCENE, custom,
@@ -339,6 +342,10 @@ def accepted():
                    entry("Body/Phantom/Mass", "58"),
                    entry("Body/Rotation", "0, 0, 90")),
            "before a standing person of 1.62 m and 58 kg")
+    yield ("a cell size between two", "scene",
+           shipped(SCENE, near, entry("Scene/Cell size", "0.03")),
+           "Scene/Cell size = 0.03 m is an upper bound: cells are 160 mm over a "
+           "power of two, 20 mm")
     yield ("no entry", "blast", b"# nothing\n", "sets no entry")
     yield ("late ignition", "blast",
            shipped(BURN, entry("Charges/Charge 1/Ignition times", "1")),
@@ -351,6 +358,81 @@ def accepted():
                    entry("Charges/Afterburn/Start time", "1"),
                    entry("Charges/Afterburn/End time", "2")),
            "nothing burns on")
+
+
+def thin_layers():
+    """Layers thinner than an element, and what the program chose itself."""
+    skin = entry("Body/Phantom/Skin thickness", "0.004")
+    head = [entry("Body/Kind", "shape"),
+            entry("Body/Shape/Shape", "layered head")]
+    yield ("skin of a scene", "scene",
+           shipped(SCENE, entry("Scene/End time", "0.005"), skin),
+           "WARNING: skin, 4 mm (Body/Phantom/Skin thickness) is thinner than "
+           "the elements of 10 mm, so that there are holes; Scene/Element size "
+           "of at most 4 mm closes them")
+    yield ("layers of a scene", "scene",
+           shipped(SCENE, entry("Scene/End time", "0.005"), *head,
+                   entry("Body/Shift", "0, 0, 1"),
+                   entry("Scene/Element size", "0.02")),
+           "WARNING: layer 1, 2.5 mm (Body/Shape/Layers), layer 2, 6.5 mm")
+    for application, file, lines in (
+            ("anatomy", ANATOMY, []),
+            ("biomechanics", BAR, [entry("Mesh/Kind", "body"),
+                                   entry("Probes/Points", "")])):
+        yield (f"layers of {application}", application,
+               shipped(file, *lines, *head, entry("Mesh/Element size", "0.02")),
+               "WARNING: layer 1, 2.5 mm (Body/Shape/Layers), layer 2, 6.5 mm")
+
+
+def unused():
+    """Entries that the other choices leave without effect."""
+    not_used = " is set but not used: "
+    for application, path, lines, said in (
+            ("blast", SOD, {"Rigid body/Levels": "2"},
+             "Rigid body/Levels" + not_used + "Rigid body/Kind is none"),
+            ("blast", SOD, {"Probes/Injury": "true", "Probes/Points": ""},
+             "Probes/Points and Probes/Lines and Probes/Gauge planes are empty"),
+            ("biomechanics", BAR, {"Mesh/Element size": "0.02"},
+             "Mesh/Element size" + not_used + "Mesh/Kind is box, not body"),
+            ("biomechanics", BAR, {"Elements/Integration": "full",
+                                   "Elements/Hourglass damping": "0.1"},
+             "Elements/Hourglass damping" + not_used + "Elements/Integration is "
+             "full, not one-point"),
+            ("anatomy", ANATOMY, {"Body/Surface/Unit": "mm",
+                                  "Body/Surface/Organs": "phantom"},
+             "Body/Surface/Unit, Body/Surface/Organs are set but not used: "
+             "Body/Kind is phantom, not surface"),
+            ("head_impact", HEAD, {"MPM/Cell size": "0.006"},
+             "MPM/Cell size" + not_used + "Method is ale, not mpm"),
+            ("study", "study/quickstart.prm", {"Study/Samples": "4"},
+             "Study/Samples" + not_used + "Study/Design is full grid, not "
+             "latin hypercube"),
+            ("scene", SCENE, {"Charge/Custom explosive/Density": "1500"},
+             "Charge/Custom explosive/Density" + not_used
+             + "Charge/Explosive is c-4, not custom"),
+            ("scene", SCENE, {"Blast/First stage/Radius": "0.5"},
+             "Blast/First stage/Radius" + not_used
+             + "Blast/First stage/Hand over at is auto, not radius"),
+            ("scene", SCENE, {"Scene/Question": "loads",
+                              "Biomechanics/Ground/Active": "true"},
+             "Biomechanics/Ground/Active" + not_used
+             + "Scene/Question is loads, not injury")):
+        near = [entry("Scene/End time", "0.005")] if path == SCENE else []
+        yield (said, application,
+               shipped(path, *near, *(entry(*one) for one in lines.items())),
+               said)
+
+
+def refused_studies():
+    """Outputs that no run has."""
+    sod = "study/quickstart.prm"
+    for column, reason in (
+            ("probes.csv:peak:probe_1_pressure", "has no output"),
+            ("history.csv:peek:energy", 'did you mean "history.csv:peak:energy"'),
+            ("gauge_measures.csv:chest:peak", "has no output"),
+            ("gauges.csv:chest:peak", "has no output")):
+        yield (column, "study", shipped(sod, entry("Study/Columns", column)),
+               reason)
 
 
 def refused_heads():
@@ -456,6 +538,24 @@ def judge_dump(program):
     return "" if dumped == empty else f"{dumped} instead of {empty}"
 
 
+def judge_forecast(program, files):
+    """Trial runs of a scene are made with Scene/Forecast = true alone."""
+    path = os.path.join(files, "scene/verification/head.prm")
+    environment = dict(os.environ, CONTRECOUP_CHECK_SECONDS="0.1",
+                       XDG_CACHE_HOME=os.path.abspath("no_cache"))
+    for wanted in ("true", "false"):
+        end = subprocess.run(
+            [program, path, "--check", "--verbose", "--set",
+             "Scene/Question=loads", "--set", "Scene/Error estimate=false",
+             "--set", "Scene/Cell size=0.04", "--set",
+             f"Scene/Forecast={wanted}"], env=environment, text=True,
+            capture_output=True, timeout=300, cwd=FOLDER)
+        found = "Calibrating by trial runs" in end.stdout
+        if end.returncode != 0 or found != (wanted == "true"):
+            return f"Forecast = {wanted}: {end.stdout}{end.stderr}"
+    return ""
+
+
 def main(programs, repository):
     make_files()
     before = sorted(os.listdir(FOLDER))
@@ -476,8 +576,11 @@ def main(programs, repository):
                               (refused_tissues, judge_refusal),
                               (refused_gas_selections, judge_refusal),
                               (refused_scenes, judge_refusal),
+                              (refused_studies, judge_refusal),
                               (refused_heads, judge_refusal),
                               (accepted, judge_acceptance),
+                              (unused, judge_acceptance),
+                              (thin_layers, judge_acceptance),
                               (warned_heads, judge_acceptance)]:
         of_application = {}
         for case in cases():
@@ -497,6 +600,8 @@ def main(programs, repository):
         end = run(os.path.join(programs, "scene"), [name])
         judge(name, end, judge_refusal(
             end, f'cannot read the parameter file "{name}": {reason}'))
+    judge("trial runs", None, judge_forecast(
+        os.path.join(programs, "scene"), files))
     for application in ("blast", "anatomy", "biomechanics", "head_impact",
                         "scene", "study"):
         program = os.path.join(programs, application)

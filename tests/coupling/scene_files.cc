@@ -304,6 +304,24 @@ TEST(SceneFiles, PutTheProbeAsFarFromTheChargeAsTheBodyIsAndBesideIt)
 }
 
 
+TEST(SceneFiles, KeepReflectionsFromProbesOfTheUserInTheDomain)
+{
+  SceneParameters scene = scene_with(2.337, 1.27);
+  const SceneLayout usual(scene, standing_box());
+  const Point<3> probe(
+    usual.upper[0] - 0.1, 0.5 * usual.upper[1], 0.5 * usual.upper[2]);
+  // Those outside are refused elsewhere.
+  scene.own_probes = {probe, Point<3>(0., 50., 1.)};
+  const SceneLayout watched(scene, standing_box());
+  EXPECT_LT(watched.upper[1], 50.);
+  Point<3> image = probe;
+  image[0] = 2. * watched.upper[0] - probe[0];
+  EXPECT_GT(image.distance(watched.charge), watched.front_distance);
+  image[0] = 2. * usual.upper[0] - probe[0];
+  EXPECT_LT(image.distance(usual.charge), usual.front_distance);
+}
+
+
 TEST(SceneFiles, GiveShortPositivePhasesFinerCells)
 {
   SceneParameters scene = scene_with(2.337, 1.27);

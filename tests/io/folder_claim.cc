@@ -130,6 +130,31 @@ TEST(FolderLock, AForeignFileOfThisNameStays)
   EXPECT_EQ(read_file(folder + "/lock"), "my own");
 }
 
+TEST(FolderClaim, ResumesOrBeginsWhatLeftNothing)
+{
+  const auto goes_on = [&](const std::string &folder, const bool can_resume) {
+    CommandLine command;
+    command.resume = true;
+    return FolderClaim(folder, "blast", names, input)
+      .goes_on(command, can_resume);
+  };
+  const std::string killed = fresh("killed");
+  leave_run(killed, "started");
+  EXPECT_TRUE(goes_on(killed, true));
+  EXPECT_FALSE(goes_on(killed, false));
+  EXPECT_FALSE(goes_on(fresh("nothing"), false));
+  // Others are left to who knows what they hold.
+  const std::string finished = fresh("finished_before");
+  leave_run(finished, "finished");
+  EXPECT_TRUE(goes_on(finished, false));
+  const std::string foreign = fresh("foreign");
+  write(foreign + "/letter.txt");
+  EXPECT_TRUE(goes_on(foreign, false));
+  const std::string other = fresh("of_scene");
+  FolderClaim(other, "scene", names, input).begin();
+  EXPECT_TRUE(goes_on(other, false));
+}
+
 TEST(FolderClaim, LeavesNothingUnlessItBegins)
 {
   fs::remove_all("a");

@@ -215,18 +215,40 @@ TEST(Columns, RefusesWhatIsNoAddress)
 
 TEST(VariantForecast, KnowsWhichOutputsArePossible)
 {
-  const std::vector<std::string> outputs = {
-    "steps", "results.*", "gauges.csv:*", "blast/results.*"};
-  for (const char *address :
-       {"steps", "results.a", "gauges.csv:a:b", "blast/*", "*.a"})
+  const std::vector<std::string> outputs = {"steps",
+                                            "results.*",
+                                            "gauges.csv:*",
+                                            "blast/results.*",
+                                            "history.csv:peak:*",
+                                            "measures.csv:left ear:peak"};
+  for (const char *address : {"steps",
+                              "results.a",
+                              "gauges.csv:a:b",
+                              "blast/*",
+                              "*.a",
+                              "history.csv:peak:energy",
+                              "measures.csv:*:peak"})
     EXPECT_TRUE(can_have(outputs, address)) << address;
-  for (const char *address :
-       {"stepps", "resluts.a", "gauge.csv:a:b", "body/results.a", "check*"})
+  for (const char *address : {"stepps",
+                              "resluts.a",
+                              "gauge.csv:a:b",
+                              "body/results.a",
+                              "check*",
+                              "history.csv:peek:energy",
+                              "measures.csv:chest:peak",
+                              "results.a:b"})
     EXPECT_FALSE(can_have(outputs, address)) << address;
   EXPECT_EQ(suggest_output(outputs, "resluts.hic"),
             "; did you mean \"results.hic\"?");
   EXPECT_EQ(suggest_output(outputs, "gauge.csv:ear:peak"),
             "; did you mean \"gauges.csv:ear:peak\"?");
+  EXPECT_EQ(suggest_output(outputs, "history.csv:peek:energy"),
+            "; did you mean \"history.csv:peak:energy\"?");
+  EXPECT_EQ(suggest_output(outputs, "measures.csv:left eye:peak"),
+            "; did you mean \"measures.csv:left ear:peak\"?");
+  EXPECT_EQ(suggest_output(outputs, "something quite different"),
+            "; it has results.*, gauges.csv:*, blast/results.*, history.csv:*, "
+            "measures.csv:*");
 }
 
 TEST(VariantForecast, AddsTheCostsOfRunsAtOnce)

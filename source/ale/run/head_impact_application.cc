@@ -6,6 +6,7 @@
 #include <contrecoup/ale/run/head_impact_application.h>
 #include <contrecoup/base/parameters/parameters.h>
 #include <contrecoup/base/system/text.h>
+#include <contrecoup/io/application/check_file.h>
 
 #include <algorithm>
 #include <cmath>
@@ -99,6 +100,22 @@ namespace
     return changed;
   }
 
+  /// Numbers in the tables of a run.
+  std::vector<std::string> tables(ParameterHandler &prm)
+  {
+    std::vector<std::string> columns;
+    const Section section(prm, "Probes");
+    const std::size_t count = read_points<3>(prm, "Points").size();
+    for (std::size_t i = 1; i <= count; ++i)
+      columns.push_back("*_" + std::to_string(i));
+    std::vector<std::string> outputs =
+      io::history_outputs("history.csv", {"*"});
+    for (const std::string &output : io::history_outputs("probes.csv", columns))
+      outputs.push_back(output);
+    outputs.emplace_back("injury.csv:*");
+    return outputs;
+  }
+
   io::FileNames files(const ParameterHandler &)
   {
     return io::FileNames{{"injury.csv"}, {"report.html"}} +
@@ -120,15 +137,18 @@ namespace
 
 io::ApplicationDescription head_impact_application()
 {
-  return {"head_impact",
-          "Follows solids and fluids through an impact on a mesh that goes "
-          "with the matter and is smoothed (ALE), or as particles on a grid "
-          "(MPM), with an energy ledger.",
-          declare_parameters,
-          create,
-          {"Scheme/Largest number of retries"},
-          coarsen,
-          "head",
-          files};
+  io::ApplicationDescription application = {
+    "head_impact",
+    "Follows solids and fluids through an impact on a mesh that goes "
+    "with the matter and is smoothed (ALE), or as particles on a grid "
+    "(MPM), with an energy ledger.",
+    declare_parameters,
+    create,
+    {"Scheme/Largest number of retries"},
+    coarsen,
+    "head",
+    files};
+  application.tables = tables;
+  return application;
 }
 } // namespace contrecoup::ale

@@ -100,6 +100,7 @@ namespace coupling
                    " nodes were held back for the shape of elements");
         for (const std::string &line : to_lines(report))
           log_line(line);
+        warn_of_pieces(report);
         write(report);
         claim.set_status("finished");
       }
@@ -129,6 +130,22 @@ namespace coupling
                            parameters_.body.references(),
                            parameters_.tissue_set,
                            parameters_.own_tissues);
+      }
+
+      /// Warns of layers of the user that are thick enough for elements and yet
+      /// in pieces.
+      void warn_of_pieces(const BodyReport &report) const
+      {
+        for (const BodyLayer &layer : parameters_.layers)
+          for (const ReportRow &row : report.rows)
+            if (row.kind == "part" && row.components > 1 && !layer.is_usual &&
+                layer.thickness >= parameters_.element_size &&
+                row.name.substr(0, row.name.find(':')) == layer.part)
+              log_line("WARNING: " + layer.part + " of " +
+                       brief(1e3 * layer.thickness, 3) + " mm (" + layer.entry +
+                       ") is in " + std::to_string(row.components) +
+                       " pieces of elements; a smaller Mesh/Element size "
+                       "closes it");
       }
 
       std::string path(const std::string &name) const
@@ -314,6 +331,7 @@ namespace coupling
           {"time_step", body.time_step},
           {"errors", errors},
           {"references_held", n_held},
+          {"warnings", Log::instance().warnings()},
           {"performance",
            {{"wall_seconds", seconds()},
             {"peak_memory_bytes", peak_memory(MPI_COMM_SELF)}}}};
@@ -334,6 +352,20 @@ namespace coupling
       double meshed_ = 0.; ///< when the mesh was ready [s]
     };
 
+    /// What a scene says of its own entries.
+    void warn(const io::CommandLine &command,
+              const dealii::ParameterHandler &prm,
+              const AnatomyParameters &parameters)
+    {
+      io::warn_of_unused(command, prm);
+      for (const std::string &line :
+           thin_layer_lines(parameters.layers,
+                            parameters.element_size,
+                            AnatomyParameters::usual_element_size,
+                            "Mesh/Element size"))
+        log_line(line);
+    }
+
     void
     execute(const io::CommandLine &command,
             dealii::ParameterHandler &prm,
@@ -344,6 +376,8 @@ namespace coupling
                          "it again");
       AnatomyParameters parameters;
       parameters.parse_parameters(prm);
+      if (!on_cost_estimate)
+        warn(command, prm, parameters);
       const std::string &folder = command.output_folder;
       if (command.check)
       {
@@ -351,7 +385,11 @@ namespace coupling
         if (on_cost_estimate)
           on_cost_estimate(cost);
         else
-          io::write_check_file({"anatomy", cost, {"*"}});
+        {
+          std::vector<std::string> outputs = io::file_outputs(anatomy_files());
+          outputs.emplace_back("*");
+          io::write_check_file({"anatomy", cost, outputs});
+        }
         return;
       }
       io::FolderClaim claim(folder,

@@ -4,6 +4,7 @@
 #include <contrecoup/base/parameters/new_tissues.h>
 #include <contrecoup/base/parameters/parameters.h>
 #include <contrecoup/base/parameters/selections.h>
+#include <contrecoup/base/parameters/used_with.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/coupling/application/anatomy_parameters.h>
 #include <contrecoup/materials/tissue_library.h>
@@ -19,6 +20,7 @@ namespace coupling
     void declare_mesh(dealii::ParameterHandler &prm)
     {
       const Section section(prm, "Mesh");
+      const UsedWith used("Body/Kind not mesh");
       declare_double(prm,
                      "Element size",
                      "0.01",
@@ -43,14 +45,16 @@ namespace coupling
                       1000,
                       "Iterations of Taubin's filter on surfaces and "
                       "interfaces, 0 (staircase) to 1000; 20 are usual.");
-      declare_double(prm,
-                     "Smallest scaled Jacobian",
-                     "0.2",
-                     0.01,
-                     0.9,
-                     "-",
-                     "Lower bound of the scaled Jacobian, 0.01 to 0.9: "
-                     "smoothing is undone where an element would fall below.");
+      declare_double(
+        prm,
+        "Smallest scaled Jacobian",
+        "0.2",
+        0.01,
+        0.9,
+        "-",
+        used_with("Mesh/Smoothing iterations not 0",
+                  "Lower bound of the scaled Jacobian, 0.01 to 0.9: "
+                  "smoothing is undone where an element would fall below."));
     }
 
     void declare_output(dealii::ParameterHandler &prm)
@@ -105,6 +109,7 @@ namespace coupling
   void AnatomyParameters::parse_parameters(dealii::ParameterHandler &prm)
   {
     own_tissues = read_own_tissues(prm);
+    layers = read_layers(prm);
     {
       const Section section(prm, "Body");
       body.parse_parameters(prm);

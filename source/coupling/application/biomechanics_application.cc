@@ -3,7 +3,9 @@
 
 #include <contrecoup/base/parameters/parameters.h>
 #include <contrecoup/base/system/text.h>
+#include <contrecoup/coupling/application/anatomy_parameters.h>
 #include <contrecoup/coupling/application/biomechanics_application.h>
+#include <contrecoup/io/application/check_file.h>
 #include <contrecoup/solid/run/solid_simulation.h>
 
 namespace contrecoup::coupling
@@ -74,6 +76,36 @@ namespace
     return changed;
   }
 
+  /// Layers of a body that are thinner than its elements.
+  std::vector<std::string> find_thin_layers(ParameterHandler &prm)
+  {
+    if (prm.get({"Mesh"}, "Kind") != "body")
+      return {};
+    const double usual = AnatomyParameters::usual_element_size;
+    const double size = prm.get_double({"Mesh"}, "Element size");
+    return thin_layer_lines(read_layers(prm), size, usual, "Mesh/Element size");
+  }
+
+  /// Numbers in the tables of a run.
+  std::vector<std::string> tables(ParameterHandler &prm)
+  {
+    std::vector<std::string> columns;
+    {
+      const Section section(prm, "Probes");
+      const std::size_t count = read_points<3>(prm, "Points").size();
+      for (std::size_t i = 1; i <= count; ++i)
+        for (const solid::ProbeQuantity &quantity : solid::probe_quantities())
+          columns.push_back("probe_" + std::to_string(i) + "_" + quantity.name);
+    }
+    std::vector<std::string> outputs =
+      io::history_outputs("history.csv", {"*"});
+    for (const std::string &output : io::history_outputs("probes.csv", columns))
+      outputs.push_back(output);
+    if (prm.get_bool({"Injury"}, "Active"))
+      outputs.emplace_back("injury.csv:*");
+    return outputs;
+  }
+
   io::FileNames files(const ParameterHandler &)
   {
     return io::FileNames{{"injury.csv"}, {}} + io::field_files("solid") +
@@ -90,16 +122,20 @@ namespace
 
 io::ApplicationDescription biomechanics_application()
 {
-  return {"biomechanics",
-          "Follows stress waves through a deformable body, with an energy "
-          "audit that can fail.",
-          solid::SolidSimulation<double>::declare_parameters,
-          create_any,
-          {"Energy audit/",
-           "Elements/Step safety",
-           "Elements/Largest number of retries"},
-          coarsen,
-          {},
-          files};
+  io::ApplicationDescription application = {
+    "biomechanics",
+    "Follows stress waves through a deformable body, with an energy "
+    "audit that can fail.",
+    solid::SolidSimulation<double>::declare_parameters,
+    create_any,
+    {"Energy audit/",
+     "Elements/Step safety",
+     "Elements/Largest number of retries"},
+    coarsen,
+    {},
+    files};
+  application.oversights = find_thin_layers;
+  application.tables = tables;
+  return application;
 }
 } // namespace contrecoup::coupling

@@ -4,6 +4,7 @@
 #include <contrecoup/base/parameters/parameters.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/coupling/application/blast_application.h>
+#include <contrecoup/coupling/application/blast_tables.h>
 #include <contrecoup/coupling/application/coarse_scene.h>
 #include <contrecoup/coupling/application/domain_size.h>
 #include <contrecoup/coupling/first_stage/staged_simulation.h>
@@ -104,6 +105,7 @@ io::ApplicationDescription blast_application()
   application.adapts = [](const ParameterHandler &prm) {
     return prm.get_bool({"Adaptation"}, "Active");
   };
+  application.tables = blast_tables;
   return application;
 }
 } // namespace contrecoup::coupling

@@ -54,13 +54,8 @@ std::optional<TableAnswer> table_answer(const SceneParameters &scene,
 {
   const IncidentWave wave = scene.incident_wave();
   const double distance = layout.distance;
-  for (const BlastQuantity quantity : {BlastQuantity::overpressure,
-                                       BlastQuantity::reflected_overpressure,
-                                       BlastQuantity::arrival,
-                                       BlastQuantity::impulse,
-                                       BlastQuantity::duration})
-    if (!wave.is_tabulated(quantity, distance))
-      return {};
+  if (!wave.is_tabulated(distance))
+    return {};
   const auto value = [&](const BlastQuantity quantity) {
     return wave.value(quantity, distance);
   };
@@ -110,8 +105,17 @@ std::vector<std::string> first_answer(const SceneParameters &scene,
   const std::string where = " at " + brief(layout.distance) + " m";
   const auto answer = table_answer(scene, layout, body_mass);
   if (!answer)
+  {
+    const IncidentWave wave = scene.incident_wave();
+    const double nearest = wave.nearest_tabulated(layout.distance);
     return {"no first answer: the tables of Kingery and Bulmash do not cover " +
-            what + where};
+              what + where + ", but " +
+              (nearest > layout.distance ? "no less" : "no more") + " than " +
+              brief(nearest, 3) + " m",
+            "  incident wave of a point source: peak " +
+              kilopascal(layout.overpressure) + ", arrival " +
+              brief(1e3 * layout.arrival, 3) + " ms"};
+  }
   const std::string equivalence = equivalence_in_words(scene.explosive);
   const std::string bias = in_words(model_bias(scene, layout.distance));
   std::vector<std::string> lines = {

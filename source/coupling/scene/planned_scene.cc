@@ -10,6 +10,7 @@
 #include <contrecoup/coupling/application/anatomy_parameters.h>
 #include <contrecoup/coupling/scene/first_answer.h>
 #include <contrecoup/coupling/scene/planned_scene.h>
+#include <contrecoup/geometry/body/body_layer.h>
 #include <contrecoup/geometry/mesh/hex_quality.h>
 #include <contrecoup/io/run/plan_table.h>
 
@@ -36,13 +37,8 @@ namespace
   }
 
   /// Mean edge of a body's own hexahedra [m].
-  /// @throws InputError if an entry asks for another one
-  double edge_of(const HexMesh &mesh, const double wanted)
+  double edge_of(const HexMesh &mesh)
   {
-    if (wanted > 0.)
-      throw InputError("Scene/Element size = " + brief(wanted) +
-                       " m has no effect: Body/Kind = mesh has its own "
-                       "hexahedra; leave that entry at 0");
     HexQuality all;
     for (const HexQuality &quality : measure_quality(mesh))
       all = all + quality;
@@ -63,13 +59,27 @@ PlannedScene::PlannedScene(dealii::ParameterHandler &prm,
   require_parts(parameters_.own_tissues, *body_);
   layout_.emplace(parameters_, *body_->surface());
   if (const auto own = body_->own_mesh())
-    parameters_.element_size = edge_of(*own, parameters_.element_size);
+    parameters_.element_size = edge_of(*own);
   parameters_.fit_elements(layout_->body);
+  find_thin_layers(prm);
   find_body(prm);
   require_measures();
   sides_ = find_chosen_sides(wrote, *layout_);
   plan_ =
     scene_plan(parameters_, *layout_, sides_, body_mass_, has(Tissue::lung));
+}
+
+
+void PlannedScene::find_thin_layers(dealii::ParameterHandler &prm)
+{
+  SceneParameters usual = parameters_;
+  usual.element_size = 0.;
+  usual.fit_elements(layout_->body);
+  if (parameters_.wants_injury())
+    thin_layers_ = thin_layer_lines(read_layers(prm),
+                                    parameters_.element_size,
+                                    usual.element_size,
+                                    "Scene/Element size");
 }
 
 
@@ -155,6 +165,10 @@ void PlannedScene::print(const bool with_plan) const
                     (azimuth < 0. ? "right" : "left") +
                     " of where the person faces"));
   }
+  if (parameters_.cell_size > layout_->cell_size() * (1. + 1e-9))
+    show_line("  Scene/Cell size = " + brief(parameters_.cell_size) +
+              " m is an upper bound: cells are 160 mm over a power of two, " +
+              brief(1e3 * layout_->cell_size()) + " mm");
   const std::string equivalence = equivalence_in_words(parameters_.explosive);
   show_line(layout_->is_far(parameters_)
               ? "  expected in free air: the front reaches the body at " +
@@ -167,6 +181,8 @@ void PlannedScene::print(const bool with_plan) const
   for (const ChangedEntry &change : parameters_.changes)
     show_line("  changed: " + change.entry + " = " + change.value +
               ", in the library " + change.before);
+  for (const std::string &line : thin_layers_)
+    log_line(line);
   std::vector<std::string> details;
   for (const std::string &remark : body_->remarks())
     details.push_back(remark_line(remark));

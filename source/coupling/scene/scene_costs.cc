@@ -18,13 +18,14 @@ namespace
   constexpr double drawing_seconds = 12.;
 
   /// Cost estimate of a task; nothing where an optional one cannot be run.
-  std::optional<CostEstimate> cost_of(SceneTask &task, Collective &collective)
+  std::optional<CostEstimate>
+  cost_of(SceneTask &task, const bool with_trials, Collective &collective)
   {
     if (!task.is_optional())
-      return task.check(1., collective);
+      return task.check(with_trials ? 1. : 0., collective);
     try
     {
-      return task.check(coarser_trial_share, collective);
+      return task.check(with_trials ? coarser_trial_share : 0., collective);
     }
     catch (const InputError &error)
     {
@@ -38,16 +39,18 @@ namespace
 
 StageCosts estimate_costs(std::vector<SceneTask> &tasks,
                           const double report_bytes,
+                          const bool with_trials,
                           Collective &collective)
 {
-  const LogPart part("forecast");
   StageCosts costs;
   for (SceneTask &task : tasks)
   {
     if (task.is_finished())
       continue;
+    const LogPart part("forecast", task.is_optional());
     log_line("stage " + task.name() + ":");
-    const std::optional<CostEstimate> cost = cost_of(task, collective);
+    const std::optional<CostEstimate> cost =
+      cost_of(task, with_trials, collective);
     if (!cost)
       break;
     costs.emplace_back(task.name(), *cost);

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/parameters/parameter_tree.h>
+#include <contrecoup/base/parameters/used_with.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/coupling/scene/scene_files.h>
@@ -62,6 +63,7 @@ task_text(const std::string &name,
   for (const Assignment &assignment : assignments_of(scene))
     if (!assignment.sections.empty() && assignment.sections[0] == "Body")
       all.push_back(assignment);
+  std::vector<Assignment> of_user;
   for (Assignment assignment : wrote)
     if (!assignment.sections.empty() && assignment.sections[0] == name)
     {
@@ -71,8 +73,9 @@ task_text(const std::string &name,
         for (const Assignment &own : entries)
           if (path_of(own) == path_of(assignment) && !own.value.empty())
             assignment.value = own.value + "; " + assignment.value;
-      all.push_back(assignment);
+      of_user.push_back(assignment);
     }
+  all.insert(all.end(), of_user.begin(), of_user.end());
   // Sections that the scene describes by a section of its own.
   const std::map<std::string, std::string> sections = {{"Charges", "Charge"},
                                                        {"Rigid body", "Body"}};
@@ -89,6 +92,13 @@ task_text(const std::string &name,
   {
     throw InputError(words(error.what()));
   }
-  return {parameter_text(prm, false), words, parameter_values(prm)};
+  std::vector<std::string> unused;
+  for (const std::string &line : find_unused(prm, of_user))
+    unused.push_back(words(line));
+  return {parameter_text(prm, false),
+          words,
+          assignments_of(prm),
+          parameter_values(prm),
+          unused};
 }
 } // namespace contrecoup::coupling

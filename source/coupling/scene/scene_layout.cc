@@ -54,6 +54,14 @@ namespace
   }
 
 
+  /// A length to four digits, rounded up.
+  std::string at_least(const double length)
+  {
+    const double digit = std::pow(10., std::floor(std::log10(length)) - 3.);
+    return brief(std::ceil(length / digit) * digit);
+  }
+
+
   /// Volume of the unit ball.
   constexpr double ball = 4. / 3. * boost::math::double_constants::pi;
 
@@ -112,13 +120,15 @@ void SceneLayout::place_charge(const SceneParameters &scene,
       // Nearest position outside the body at this distance, by bisection.
       double low = 0.5 * (body.lower_bound(0) + body.upper_bound(0));
       double high = outside;
-      if (surface.value({low, 0., scene.height}) > scene.distance)
-        throw InputError("Charge/Distance = " + brief(scene.distance) +
-                         " m: from the height of " + brief(scene.height) +
-                         " m on, the body is at least " +
-                         brief(surface.value({low, 0., scene.height})) +
-                         " m away; Charge/Place sets the "
-                         "position directly");
+      const double least = surface.distance({low, 0., scene.height});
+      if (least > scene.distance)
+        throw InputError(
+          "Charge/Distance = " + brief(scene.distance) +
+          " m: at Charge/Height = " + brief(scene.height) +
+          " m a charge is at least " + at_least(least) +
+          " m from the body; give that Distance, a Height from " +
+          brief(body.lower_bound(2)) + " to " + brief(body.upper_bound(2)) +
+          " m, or Charge/Place");
       for (unsigned int i = 0; i < 60; ++i)
       {
         const double middle = 0.5 * (low + high);
@@ -273,6 +283,8 @@ SceneLayout::leaves_for(const double front_distance) const
   dealii::BoundingBox<3> watched = body;
   if (probe)
     watched.merge_with({{*probe, *probe}});
+  for (const Point<3> &place : watched_)
+    watched.merge_with({{place, place}});
   // Smallest distance of an open side along direction d: the charge's mirror
   // image in it is farther from body and probe than the front travels, and one
   // leaf fits between it and body and charge.
@@ -334,6 +346,13 @@ void SceneLayout::size_domain(const SceneParameters &scene,
       brief(arrival) + " to " + brief(blast.arrival(low), 3) +
       " s are possible");
   }
+  set_corners();
+  watch(scene.own_probes);
+}
+
+
+void SceneLayout::set_corners()
+{
   const auto leaves = leaves_for(front_distance);
   for (unsigned int d = 0; d < 3; ++d)
   {
@@ -341,6 +360,18 @@ void SceneLayout::size_domain(const SceneParameters &scene,
     upper[d] = leaves[d][1] * leaf;
     n_leaves[d] = static_cast<unsigned int>(leaves[d][0] + leaves[d][1]);
   }
+}
+
+
+void SceneLayout::watch(const std::vector<Point<3>> &probes)
+{
+  const dealii::BoundingBox<3> domain({lower, upper});
+  for (const Point<3> &place : probes)
+    if (domain.point_inside(place))
+      watched_.push_back(place);
+  if (product_of(leaves_for(front_distance)) > max_leaves)
+    watched_.clear();
+  set_corners();
 }
 
 

@@ -4,6 +4,7 @@
 #include <contrecoup/base/parameters/bounds.h>
 #include <contrecoup/base/parameters/new_tissues.h>
 #include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/parameters/used_with.h>
 #include <contrecoup/base/run/time_parameters.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
@@ -66,15 +67,16 @@ namespace
                    "Largest edge of the gas's cells at the skin, which is 160 "
                    "mm over a power of two; 0: by accuracy, positive "
                    "phase and the body's shortest side.");
-    declare_double(prm,
-                   "Element size",
-                   "0",
-                   0.,
-                   1.,
-                   "m",
-                   "Edge of the body's elements; 0: that of the accuracy, but "
-                   "at most a sixtieth of the body's longest side. With "
-                   "Body/Kind = mesh it must be 0.");
+    declare_double(
+      prm,
+      "Element size",
+      "0",
+      0.,
+      1.,
+      "m",
+      used_with("Body/Kind not mesh",
+                "Edge of the body's elements; 0: that of the accuracy, but "
+                "at most a sixtieth of the body's longest side."));
   }
 
 
@@ -107,7 +109,8 @@ namespace
                  "Forecast",
                  "true",
                  "Whether time, memory and disk of each stage are predicted "
-                 "before the first one begins, by trial runs of some seconds.");
+                 "by trial runs of some seconds, with --check and before the "
+                 "first stage begins.");
     declare_bool(prm,
                  "Error estimate",
                  "true",
@@ -215,22 +218,26 @@ namespace
                    "Miller's rate [J/kg, 1e4 to " +
                      brief(bounds::specific_energy) +
                      "]; 0: none; by explosive: " + usual_afterburns() + ".");
-    declare_double(prm,
-                   "Distance",
-                   "2",
-                   1e-9,
-                   1e3,
-                   "m",
-                   "Distance from the charge's centre along -x to the body's "
-                   "surface; to the nearest point of the body if that line "
-                   "misses it; above 0.");
-    declare_double(prm,
-                   "Height",
-                   "1",
-                   1e-9,
-                   1e3,
-                   "m",
-                   "Height of the centre above the ground z = 0, above 0.");
+    declare_double(
+      prm,
+      "Distance",
+      "2",
+      1e-9,
+      1e3,
+      "m",
+      used_with("Charge/Place = empty",
+                "Distance from the charge's centre along -x to the body's "
+                "surface; to the nearest point of the body if that line "
+                "misses it; above 0."));
+    declare_double(
+      prm,
+      "Height",
+      "1",
+      1e-9,
+      1e3,
+      "m",
+      used_with("Charge/Place = empty",
+                "Height of the centre above the ground z = 0, above 0."));
     declare_points(prm,
                    "Place",
                    "",
@@ -238,6 +245,7 @@ namespace
                    "Centre of the charge x, y, z, instead of Distance and "
                    "Height; empty: from these two.");
     const Section custom(prm, custom_section);
+    const UsedWith used("Charge/Explosive = custom");
     declare_custom(prm);
   }
 
@@ -311,6 +319,9 @@ void SceneParameters::parse_parameters(ParameterHandler &prm)
   parse_charge(prm);
   parse_tissues(prm);
   parse_thresholds(prm);
+  const Section blast(prm, "Blast");
+  const Section probes(prm, "Probes");
+  own_probes = read_points<3>(prm, "Points");
 }
 
 
@@ -395,20 +406,16 @@ void SceneParameters::parse_explosive(ParameterHandler &prm)
 {
   const std::string chosen = prm.get("Explosive");
   const std::string path = "Charge/" + custom_section;
+  if (chosen != "custom")
+  {
+    explosive = find_explosive(chosen);
+    return;
+  }
   const Section section(prm, custom_section);
   CustomExplosive custom;
   custom.parse_parameters(prm, path);
   const auto pressure = read_list(prm, "TNT equivalence of pressure");
   const auto impulse = read_list(prm, "TNT equivalence of impulse");
-  if (chosen != "custom")
-  {
-    if (!custom.changes.empty() || !pressure.empty() || !impulse.empty() ||
-        custom.like != "tnt")
-      throw InputError(path + " has values that Charge/Explosive = " + chosen +
-                       " does not use; set Charge/Explosive = custom");
-    explosive = find_explosive(chosen);
-    return;
-  }
   explosive = custom.explosive;
   explosive.name = prm.get("Name");
   custom_entries = {{"Like", custom.like}};

@@ -228,14 +228,15 @@ namespace
 } // namespace
 
 
-void print_audit(const PlannedScene &scene, const std::string &folder)
+void print_audit(const PlannedScene &scene,
+                 const std::vector<SceneTask> &tasks,
+                 const std::string &folder)
 {
-  for (const std::string &line :
-       io::audit_lines(whole_plan(scene, folder),
-                       scene_audit(scene.parameters(),
-                                   scene.layout(),
-                                   scene.has(Tissue::lung),
-                                   folder)))
+  const auto audit = scene_audit(
+    scene.parameters(), scene.layout(), scene.has(Tissue::lung), folder);
+  // In the words of the stage, which has given the same warnings.
+  for (const std::string &line : io::audit_lines(
+         named(whole_plan(scene, folder), tasks), named(audit, tasks)))
     log_line(line);
   const std::string warning = warning_of(
     compare_with_tables(

@@ -15,6 +15,8 @@
 #include <contrecoup/io/output/pictures.h>
 #include <contrecoup/io/run/plan_table.h>
 
+#include <algorithm>
+
 namespace contrecoup::coupling
 {
 SceneRun::SceneRun(const io::CommandLine &command,
@@ -61,7 +63,10 @@ namespace
 
 StageCosts SceneRun::costs()
 {
-  return estimate_costs(tasks_, size_of_report(*scene_), collective_);
+  return estimate_costs(tasks_,
+                        size_of_report(*scene_),
+                        scene_->parameters().has_forecast,
+                        collective_);
 }
 
 
@@ -71,7 +76,8 @@ void SceneRun::write_forecast(const StageCosts &costs) const
     "scene", io::total_of(costs), {"scene.json:*", "report.json:*"}, costs};
   for (const SceneTask &task : tasks_)
   {
-    std::vector<std::string> outputs = io::file_outputs(task.files());
+    std::vector<std::string> outputs =
+      io::file_outputs(task.files(), task.tables());
     const std::vector<std::string> of_summary =
       task.name() == "anatomy" ? std::vector<std::string>{"*"}
                                : io::summary_outputs();
@@ -220,17 +226,19 @@ bool SceneRun::is_of_scene() const
 }
 
 
+bool SceneRun::has_records() const
+{
+  return std::any_of(tasks_.begin(), tasks_.end(), [](const SceneTask &task) {
+    return task.status().has_record;
+  });
+}
+
+
 bool SceneRun::may_proceed() const
 {
-  if (command_.resume)
-  {
-    bool any = false;
-    for (const SceneTask &task : tasks_)
-      any = any || task.status().has_record;
-    if (!any)
-      throw InputError("--resume: \"" + command_.output_folder +
-                       "\" holds no stage of a scene");
-  }
+  if (claim_->goes_on(command_, has_records()) && !has_records())
+    throw InputError("--resume: \"" + command_.output_folder +
+                     "\" holds no stage of a scene");
   const io::Manifest &manifest = claim_->manifest();
   if (!manifest.exists() || command_.overwrite)
     return true;
@@ -392,14 +400,14 @@ void SceneRun::run_all()
 {
   scene_->print(false);
   std::vector<std::string> warnings = Log::instance().warnings();
-  if (!command_.resume)
+  if (!command_.resume || !has_records())
     forecast();
   const bool finished = run_tasks();
   collective_.run([&]() {
     if (!is_first_rank_)
       return;
     if (finished)
-      print_audit(*scene_, command_.output_folder);
+      print_audit(*scene_, tasks_, command_.output_folder);
     for (const std::string &warning : Log::instance().warnings())
       warnings.push_back(warning);
     write_scene(

@@ -2,8 +2,10 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/parameters/parameter_tree.h>
+#include <contrecoup/base/parameters/used_with.h>
 #include <contrecoup/base/run/time_parameters.h>
 #include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/log.h>
 #include <contrecoup/base/system/memory.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/coupling/application/anatomy_application.h>
@@ -127,12 +129,7 @@ namespace
 
     SceneTask anatomy() const
     {
-      const io::ToolDescription tool = anatomy_application();
-      const TaskText file = task_text("Anatomy",
-                                      anatomy_entries(scene_.parameters()),
-                                      prm_,
-                                      wrote_,
-                                      tool.declare_parameters);
+      const TaskText file = anatomy_text();
       SceneTask task("anatomy",
                      "anatomy",
                      folder_,
@@ -168,6 +165,30 @@ namespace
       check_biomechanics(scene_, blast, biomechanics_text({}));
     }
 
+    /// Shows which entries of the user have no effect on this scene.
+    void warn_of_unused() const
+    {
+      std::vector<Assignment> own;
+      std::vector<std::string> of_biomechanics;
+      for (const Assignment &assignment : wrote_)
+        if (!SceneParameters::is_of_stage(assignment))
+          own.push_back(assignment);
+        else if (assignment.sections[0] == "Biomechanics")
+          of_biomechanics.push_back(join(assignment.sections, "/") + "/" +
+                                    assignment.entry);
+      std::vector<std::string> warnings = find_unused(prm_, own);
+      std::vector<TaskText> texts{anatomy_text(), blast_text({})};
+      if (scene_.parameters().wants_injury())
+        texts.push_back(biomechanics_text({}));
+      else if (!of_biomechanics.empty())
+        warnings.push_back(unused_warning(
+          of_biomechanics, "Scene/Question is loads, not injury"));
+      for (const TaskText &text : texts)
+        warnings.insert(warnings.end(), text.unused.begin(), text.unused.end());
+      for (const std::string &warning : warnings)
+        show_line(warning);
+    }
+
     /// @param blast task that records the loads
     SceneTask biomechanics(const SceneTask &blast) const
     {
@@ -196,14 +217,31 @@ namespace
                            "loads leaves this stage out");
     }
 
+    TaskText anatomy_text() const
+    {
+      return task_text("Anatomy",
+                       anatomy_entries(scene_.parameters()),
+                       prm_,
+                       wrote_,
+                       anatomy_application().declare_parameters);
+    }
+
     TaskText blast_text(const EntryChanges &changes) const
     {
-      return text_of("Blast",
-                     blast_application(),
-                     blast_entries(scene_.parameters(),
-                                   scene_.layout(),
-                                   scene_.person_mass()),
-                     changes);
+      TaskText text =
+        text_of("Blast",
+                blast_application(),
+                blast_entries(
+                  scene_.parameters(), scene_.layout(), scene_.person_mass()),
+                changes);
+      // A later end needs the domain that the scene chooses.
+      for (const Assignment &assignment : wrote_)
+        if (join(assignment.sections, "/") == "Blast/Domain" &&
+            assignment.entry.find(" corner") != std::string::npos)
+          text.words.rename("Domain/Size",
+                            "Blast/Domain/" + assignment.entry +
+                              ", which the scene chooses if it is left out");
+      return text;
     }
 
     TaskText biomechanics_text(const EntryChanges &changes) const
@@ -258,8 +296,10 @@ namespace
                      const TaskText &file,
                      const std::vector<std::string> &upstream) const
     {
-      ParameterHandler defaults;
+      ParameterHandler defaults, prm;
       declare(application, defaults);
+      declare(application, prm);
+      apply_assignments(file.entries, prm);
       SceneTask task(name,
                      application.name,
                      folder_,
@@ -270,6 +310,7 @@ namespace
                      true,
                      runner(application));
       task.set_words(file.words);
+      task.set_tables(application.tables(prm));
       return task;
     }
 
@@ -289,6 +330,7 @@ std::vector<SceneTask> make_tasks(const PlannedScene &scene,
 {
   const Maker maker(scene, command, prm, collective);
   maker.check();
+  maker.warn_of_unused();
   std::vector<SceneTask> tasks{maker.anatomy(), maker.blast()};
   if (scene.parameters().wants_injury())
     tasks.push_back(maker.biomechanics(tasks.back()));

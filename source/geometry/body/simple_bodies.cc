@@ -3,8 +3,10 @@
 
 #include <contrecoup/base/parameters/parameters.h>
 #include <contrecoup/base/parameters/tissue_list.h>
+#include <contrecoup/base/parameters/used_with.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
+#include <contrecoup/geometry/body/body_layer.h>
 #include <contrecoup/geometry/body/simple_bodies.h>
 #include <contrecoup/geometry/shape/composed_shapes.h>
 #include <contrecoup/geometry/shape/primitive_shapes.h>
@@ -66,6 +68,12 @@ namespace
 } // namespace
 
 
+const std::vector<double> &usual_layers(const std::string &shape)
+{
+  return default_of(shape).layers;
+}
+
+
 void SimpleBody::declare_parameters(dealii::ParameterHandler &prm)
 {
   declare_selection(prm,
@@ -88,17 +96,19 @@ void SimpleBody::declare_parameters(dealii::ParameterHandler &prm)
                "edges of a box. Empty: 0.1; 0.1, 0.08, 0.07 (heads: 0.084, "
                "0.068, 0.06 and 0.095, 0.075, 0.075); 0.1, 0.3; 0.2, 0.2, "
                "0.2.");
-  declare_list(prm,
-               "Layers",
-               "",
-               0,
-               10,
-               1e-6,
-               1e3,
-               "m",
-               "Thickness of each layer of a head from the inside. Empty: "
-               "0.0025, 0.0065, 0.005 for the layered head, 0.006 for the "
-               "surrogate (our choice).");
+  declare_list(
+    prm,
+    "Layers",
+    "",
+    0,
+    10,
+    1e-6,
+    1e3,
+    "m",
+    used_with("Body/Shape/Shape = layered head, surrogate head",
+              "Thickness of each layer of a head from the inside. Empty: "
+              "0.0025, 0.0065, 0.005 for the layered head, 0.006 for the "
+              "surrogate (our choice)."));
   declare_string(
     prm,
     "Tissues",

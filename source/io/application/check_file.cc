@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/text.h>
 #include <contrecoup/io/application/check_file.h>
 #include <contrecoup/io/file/checked_file.h>
 #include <contrecoup/io/output/summary.h>
@@ -72,13 +73,39 @@ namespace io
     return outputs;
   }
 
-  std::vector<std::string> file_outputs(const FileNames &names)
+  const std::vector<std::string> &history_features()
+  {
+    static const std::vector<std::string> features{"first",
+                                                   "last",
+                                                   "largest",
+                                                   "smallest",
+                                                   "peak",
+                                                   "lowest",
+                                                   "impulse",
+                                                   "arrival"};
+    return features;
+  }
+
+  std::vector<std::string>
+  history_outputs(const std::string &file,
+                  const std::vector<std::string> &columns)
   {
     std::vector<std::string> outputs;
+    for (const std::string &column : columns)
+      for (const std::string &feature : history_features())
+        outputs.push_back(join({file, feature, column}, ":"));
+    return outputs;
+  }
+
+  std::vector<std::string> file_outputs(const FileNames &names,
+                                        const std::vector<std::string> &tables)
+  {
+    std::vector<std::string> outputs = tables;
     for (const auto *list : {&names.results, &names.others})
       for (std::string name : *list)
         if (!contains(name, "/") && name != "summary.json" &&
-            (contains(name, ".csv") || contains(name, ".json")))
+            ((contains(name, ".csv") && tables.empty()) ||
+             contains(name, ".json")))
         {
           // "#" stands for digits.
           std::replace(name.begin(), name.end(), '#', '*');

@@ -106,13 +106,10 @@ namespace io
       folder_.path() + ":");
     for (const std::string &line : cost_lines({{description_.name, cost}}))
       show_line(line);
-    // A scene has a plan of its own.
-    if (!description_.on_cost_estimate)
-    {
-      collective_.run([&]() { plan_ = simulation_.plan(); });
-      for (const std::string &line : plan_lines(plan_))
-        show_line(line);
-    }
+    collective_.run([&]() { plan_ = simulation_.plan(); });
+    // Of a part of a scene, which has a plan of its own, warnings are shown.
+    for (const std::string &line : plan_lines(plan_))
+      description_.on_cost_estimate ? log_line(line) : show_line(line);
     show_line("The parameters are valid.");
   }
 
@@ -120,7 +117,10 @@ namespace io
   {
     collective_.run([&]() {
       std::vector<std::string> outputs = summary_outputs(simulation_.plan());
-      for (const std::string &output : file_outputs(folder_.names()))
+      std::vector<std::string> tables;
+      if (description_.tables)
+        tables = description_.tables(prm_);
+      for (const std::string &output : file_outputs(folder_.names(), tables))
         outputs.push_back(output);
       if (dealii::Utilities::MPI::this_mpi_process(
             collective_.communicator()) == 0)
@@ -137,7 +137,7 @@ namespace io
               (ranks == 1 ? " rank, " : " ranks, ") + command_.parameter_file);
     const TimerScope timer("setup");
     simulation_.set_output_folder(folder_.path());
-    if (command_.resume)
+    if (folder_.resumes())
     {
       auto exempt = free_entries;
       exempt.insert(exempt.end(),
@@ -168,7 +168,7 @@ namespace io
       log_line(line);
     folder_.write_text("parameters.prm", parameter_text_);
     collective_.run([&]() {
-      Log::instance().open(folder_.path("log.txt"), command_.resume);
+      Log::instance().open(folder_.path("log.txt"), folder_.resumes());
     });
   }
 

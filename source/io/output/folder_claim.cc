@@ -50,6 +50,16 @@ namespace io
           size += static_cast<double>(n);
       return size;
     }
+
+    /// Whether a folder holds no more than the lock of this run.
+    bool is_empty(const std::string &folder)
+    {
+      std::error_code ignored;
+      for (const auto &entry : fs::directory_iterator(folder, ignored))
+        if (entry.path().filename() != FolderLock::name)
+          return false;
+      return true;
+    }
   } // namespace
 
   FolderClaim::FolderClaim(const std::string &folder,
@@ -151,6 +161,22 @@ namespace io
                        manifest_.status() +
                        "); --resume goes on with it, --overwrite begins anew");
     return true;
+  }
+
+  bool FolderClaim::goes_on(const CommandLine &command,
+                            const bool can_resume) const
+  {
+    if (!command.resume)
+      return false;
+    const bool may_begin = manifest_.exists()
+                             ? manifest_.application() == application_ &&
+                                 manifest_.status() != "finished"
+                             : is_empty(folder_);
+    if (can_resume || !may_begin)
+      return true;
+    show_line("--resume: \"" + folder_ +
+              "\" holds nothing to go on with yet; the run begins");
+    return false;
   }
 
   void FolderClaim::begin()

@@ -76,15 +76,20 @@ namespace io
 
   bool OutputFolder::claim(const CommandLine &command)
   {
+    constexpr unsigned int runs = 1, goes_on = 2;
     const auto may_run = [&]() {
       if (!writes_)
         return 0U;
       claim_ = std::make_unique<FolderClaim>(
         path_, run_.application, names_, make_run_input(run_.parameters));
       const auto can_resume = [&]() { return checkpoints_.has_complete(); };
-      return claim_->may_proceed(command, can_resume) ? 1U : 0U;
+      if (!claim_->may_proceed(command, can_resume))
+        return 0U;
+      return claim_->goes_on(command, can_resume()) ? runs + goes_on : runs;
     };
-    return collective_.run_with_flags(may_run) != 0;
+    const unsigned int flags = collective_.run_with_flags(may_run);
+    resumes_ = (flags & goes_on) != 0;
+    return (flags & runs) != 0;
   }
 
   void OutputFolder::start()

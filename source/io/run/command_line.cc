@@ -4,6 +4,7 @@
 #include <contrecoup/base/parameters/parameter_names.h>
 #include <contrecoup/base/parameters/parameter_search.h>
 #include <contrecoup/base/parameters/parameter_tree.h>
+#include <contrecoup/base/parameters/used_with.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/log.h>
 #include <contrecoup/base/system/shell_word.h>
@@ -271,6 +272,15 @@ namespace io
                        dealii::ParameterHandler &prm)
   {
     for (const std::string &line : assign(command, prm))
+      show_line(line);
+  }
+
+
+  void warn_of_unused(const CommandLine &command,
+                      const dealii::ParameterHandler &prm)
+  {
+    for (const std::string &line :
+         find_unused(prm, assignments_of(command, prm)))
       show_line(line);
   }
 

@@ -72,13 +72,6 @@ namespace io
               told(cost.output, bytes(cost.output))};
     }
 
-    /// Whether the plan has warned of the same value.
-    bool is_known(const Assumption *planned, const Assumption &item)
-    {
-      return planned != nullptr && planned->fails() &&
-             number(planned->value, item.unit) == number(item.value, item.unit);
-    }
-
     std::string warning(const Assumption &item, const std::string &kind)
     {
       return "WARNING: " + item.name + ": " + item.quantity + " is " + kind +
@@ -172,8 +165,12 @@ namespace io
     }
     std::vector<std::string> lines = aligned(rows);
     for (const Assumption &item : audit)
-      if (item.fails() && !is_known(find_assumption(plan, item.name), item))
+    {
+      // The plan has warned of it before.
+      const Assumption *planned = find_assumption(plan, item.name);
+      if (item.fails() && (planned == nullptr || !planned->fails()))
         lines.push_back(warning(item, "measured at"));
+    }
     return lines;
   }
 } // namespace io

@@ -3,6 +3,7 @@
 
 #include <contrecoup/numerics/injury/incident_wave.h>
 
+#include <algorithm>
 #include <limits>
 
 namespace contrecoup
@@ -11,6 +12,7 @@ namespace
 {
   constexpr double sea_level = 101325.; // [Pa]
   constexpr double air_density = 1.225; // [kg/m^3]
+  constexpr double step = 1.02;         ///< ratio of distances that are tried
 } // namespace
 
 
@@ -44,6 +46,28 @@ bool IncidentWave::is_tabulated(const BlastQuantity quantity,
 }
 
 
+bool IncidentWave::is_tabulated(const double distance) const
+{
+  const auto quantities = {BlastQuantity::overpressure,
+                           BlastQuantity::reflected_overpressure,
+                           BlastQuantity::arrival,
+                           BlastQuantity::impulse,
+                           BlastQuantity::duration};
+  return std::all_of(
+    quantities.begin(), quantities.end(), [&](const BlastQuantity quantity) {
+      return is_tabulated(quantity, distance);
+    });
+}
+
+
+double IncidentWave::nearest_tabulated(double distance) const
+{
+  while (!is_tabulated(distance))
+    distance *= distance < of_impulse_.scaling_length() ? step : 1. / step;
+  return distance;
+}
+
+
 double IncidentWave::value(const BlastQuantity quantity,
                            const double distance) const
 {
@@ -59,10 +83,8 @@ double IncidentWave::value(const BlastQuantity quantity,
 
 double IncidentWave::nearest_duration(double distance) const
 {
-  const double one = of_impulse_.scaling_length();
-  constexpr double step = 1.02;
   while (!is_tabulated(BlastQuantity::duration, distance))
-    distance *= distance < one ? step : 1. / step;
+    distance *= distance < of_impulse_.scaling_length() ? step : 1. / step;
   return of_impulse_.value(BlastQuantity::duration, distance);
 }
 } // namespace contrecoup

@@ -166,6 +166,36 @@ def folder_lock(case):
     require(manifest(output)["status"] == "finished", "it did not finish")
 
 
+def folder_begins(case, _check_bound, read_summary):
+    """--resume of a run that was killed before it left anything to go on with
+    begins, and says so; a folder with files of a user, or of another application,
+    is refused. --argument makes a long run without checkpoints."""
+    output = case.folder("run")
+    process = case.start(output, case.options.argument)
+    try:
+        wait_until(process, lambda: os.path.exists(
+            os.path.join(output, "manifest.json")), "it had begun")
+    finally:
+        for pid in resume_cases.descendants(process.pid):
+            os.kill(pid, signal.SIGKILL)
+        process.kill()
+        process.communicate()
+    require(not has_checkpoint(output), "it left a checkpoint")
+    require(manifest(output)["status"] == "started", "it was not killed")
+    _, out, _ = case.run(output, ["--resume"])
+    require("holds nothing to go on with yet; the run begins" in out,
+            f"it does not say that it begins: {out}")
+    require(manifest(output)["status"] == "finished", "it did not finish")
+    if is_solver(case):
+        require(read_summary(output)["resumed_from_step"] is None, "it went on")
+    output = case.folder("foreign")
+    put(output, "letter.txt")
+    refused(case, output, "--resume: ", ["--resume"])
+    output = case.folder("other")
+    put_other_run(output)
+    refused(case, output, "--resume: ", ["--resume"])
+
+
 def ranks_of(process):
     """The numbers of the ranks of a run under mpirun, in their order."""
     ranks = {}
@@ -501,6 +531,7 @@ def flip_byte(path):
 
 
 KINDS = {kind.__name__: kind for kind in
-         (folder_finished, folder_foreign, folder_lock, folder_signals,
+         (folder_finished, folder_foreign, folder_lock, folder_begins,
+          folder_signals,
           folder_read_only, folder_cache, folder_default, folder_ranks,
           folder_ranks_fail, folder_stages)}

@@ -204,10 +204,6 @@ def scene_own_mesh(case):
     page = html.unescape(read_bytes(output, "report.html").decode())
     require(page.count("your own hexahedra have no coarser mesh") == 2,
             "the report does not say why")
-    _, _, err = case.run(case.folder("sized"), [
-        "--set", "Scene/Element size=0.005"], codes=(1,))
-    require("Scene/Element size = 0.005 m has no effect: Body/Kind = mesh" in err,
-            f"stderr is {err}")
 
 
 # Parts of each value.

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <contrecoup/geometry/body/body_description.h>
+#include <contrecoup/geometry/body/body_layer.h>
 #include <contrecoup/geometry/mesh/mesh_smoothing.h>
 #include <contrecoup/materials/own_tissues.h>
 
@@ -25,8 +26,10 @@ namespace coupling
     void parse_parameters(dealii::ParameterHandler &prm);
 
     BodyDescription body;
-    double element_size = 0.01; ///< [m]
-    unsigned int levels = 0;    ///< coarsening levels
+    std::vector<BodyLayer> layers;
+    static constexpr double usual_element_size = 0.01; ///< [m]
+    double element_size = usual_element_size;          ///< [m]
+    unsigned int levels = 0;                           ///< coarsening levels
     SmoothingOptions smoothing; ///< zero iterations: no smoothing
     std::string tissue_set;
     OwnTissues own_tissues;

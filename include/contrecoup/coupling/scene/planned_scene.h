@@ -88,6 +88,7 @@ private:
   /// Computes the mass of the body and, if injury is asked for, the probes in
   /// tissues.
   void find_body(dealii::ParameterHandler &prm);
+  void find_thin_layers(dealii::ParameterHandler &prm);
   /// @throws InputError for thresholds of a measure that this scene has not
   void require_measures() const;
 
@@ -100,5 +101,6 @@ private:
   std::vector<TissuePlace> tissue_places_;
   std::vector<ChosenSide> sides_;
   std::vector<Assumption> plan_;
+  std::vector<std::string> thin_layers_; ///< see thin_layer_lines()
 };
 } // namespace contrecoup::coupling

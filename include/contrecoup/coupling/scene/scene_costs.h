@@ -23,8 +23,10 @@ double size_of_report(const PlannedScene &scene);
 
 /// Cost estimates of the unfinished tasks and of the report, if it has a size.
 /// Collective.
+/// @param with_trials whether trial runs predict steps, time and output
 /// @throws InputError unless the task that refuses its input is optional
 StageCosts estimate_costs(std::vector<SceneTask> &tasks,
                           double report_bytes,
+                          bool with_trials,
                           Collective &collective);
 } // namespace contrecoup::coupling

@@ -53,7 +53,10 @@ struct TaskText
 {
   std::string text; ///< content, all entries
   SceneWords words; ///< translation of the task's messages
+  std::vector<Assignment> entries;
   std::map<std::string, std::string> values; ///< by path of the entry
+  /// Warnings of find_unused() for what the user wrote.
+  std::vector<std::string> unused;
 };
 
 

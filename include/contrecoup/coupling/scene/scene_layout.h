@@ -30,7 +30,8 @@ struct SceneLayout
   /**
    * Determines the position of the charge, the plane of symmetry, and a domain
    * so large that the time to first reflection from an open side (taken as a
-   * mirror) at body and probe is later than the end time. The front is that of
+   * mirror) at body and probe, and at probes of the user within the domain, is
+   * later than the end time. The front is that of
    * ExpectedBlast in free air of 101325 Pa and 1.225 kg/m^3.
    * @param surface surface of the body
    * @throws InputError for a charge that overlaps the body or the ground or is
@@ -110,5 +111,10 @@ private:
   /// domain needs for a front that travels @p front_distance [m].
   std::array<std::array<double, 2>, 3> leaves_for(double front_distance) const;
   void size_domain(const SceneParameters &scene, const ExpectedBlast &blast);
+  void set_corners();
+  /// Extends the domain for probes of the user, as far as max_leaves allows.
+  void watch(const std::vector<dealii::Point<3>> &probes);
+
+  std::vector<dealii::Point<3>> watched_;
 };
 } // namespace contrecoup::coupling

@@ -108,7 +108,8 @@ struct SceneParameters
   double height = 0.;   ///< of the charge's centre above the ground [m]
   /// Position of the charge's centre instead [m]
   std::optional<dealii::Point<3>> place;
-  std::string tissues;          ///< set in the tissue library
+  std::vector<dealii::Point<3>> own_probes; ///< Blast/Probes/Points
+  std::string tissues;                      ///< set in the tissue library
   OwnTissues own_tissues;       ///< new ones and changes of those of the set
   OwnThresholds own_thresholds; ///< of injuries
   /// Values of explosive, tissues and thresholds that are not those of the

@@ -11,8 +11,10 @@ namespace contrecoup::coupling
 {
 /// Logs the audit of a scene: measured values of the assumptions of scene and
 /// blast, and a warning where the blast and the tables differ by more than
-/// their errors.
-void print_audit(const PlannedScene &scene, const std::string &folder);
+/// their errors. What the plan has warned of is not warned of again.
+void print_audit(const PlannedScene &scene,
+                 const std::vector<SceneTask> &tasks,
+                 const std::string &folder);
 
 /**
  * Writes scene.json: the scene, its tasks, plan and audit, as far as known.

@@ -45,6 +45,7 @@ private:
   /// Claims the output folder; returns false when nothing is left to do.
   bool claim();
   bool may_proceed() const;
+  bool has_records() const;
   /// @throws InputError when results that must be kept would be removed
   void require_consent() const;
   std::string list_unfinished_tasks() const;

@@ -68,6 +68,16 @@ public:
     return names_;
   }
 
+  /// Numbers in its tables, see io::ApplicationDescription::tables.
+  const std::vector<std::string> &tables() const
+  {
+    return tables_;
+  }
+  void set_tables(const std::vector<std::string> &tables)
+  {
+    tables_ = tables;
+  }
+
   /// Folder of the results.
   std::string folder() const
   {
@@ -191,6 +201,7 @@ private:
   TaskFiles files_;
   std::string text_;
   io::FileNames names_;
+  std::vector<std::string> tables_;
   bool can_resume_;
   bool is_optional_ = false;
   Runner runner_;

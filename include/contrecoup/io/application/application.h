@@ -61,6 +61,16 @@ namespace io
 
     /// Whether the mesh changes during the run. Empty: never.
     std::function<bool(const dealii::ParameterHandler &)> adapts = {};
+
+    /// Lines about choices that a run would take without complaint, as
+    /// warnings; not asked for in parts of another application. Empty: none.
+    std::function<std::vector<std::string>(dealii::ParameterHandler &)>
+      oversights = {};
+
+    /// Numbers in the tables of a run with these entries: "FILE.csv:ROW:COLUMN"
+    /// with "*" for any letters. Empty: any in the tables among `files`.
+    std::function<std::vector<std::string>(dealii::ParameterHandler &)> tables =
+      {};
   };
 
   /**

@@ -32,8 +32,20 @@ namespace io
   std::vector<std::string>
   summary_outputs(const std::vector<Assumption> &plan = {});
 
+  /// What a history can be asked for: "first", "last", "largest", ...
+  const std::vector<std::string> &history_features();
+
+  /// Numbers of a history, "FILE.csv:FEATURE:COLUMN".
+  /// @param columns "*" for any
+  std::vector<std::string>
+  history_outputs(const std::string &file,
+                  const std::vector<std::string> &columns);
+
   /// Numbers in the tables and JSON files among @p names, without summary.json.
-  std::vector<std::string> file_outputs(const FileNames &names);
+  /// @param tables numbers of all tables; empty: any in those among @p names
+  std::vector<std::string>
+  file_outputs(const FileNames &names,
+               const std::vector<std::string> &tables = {});
 
   /// Writes the report as JSON to the file that the environment variable
   /// CONTRECOUP_CHECK_FILE names; nothing without it. For one rank.

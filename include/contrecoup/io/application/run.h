@@ -44,7 +44,7 @@ namespace io
 
     const CommandLine &command_;
     const ApplicationDescription &description_;
-    const dealii::ParameterHandler &prm_;
+    dealii::ParameterHandler &prm_;
     std::string parameter_text_;
     TimeParameters time_;
     Simulation &simulation_;

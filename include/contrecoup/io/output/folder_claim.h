@@ -50,6 +50,14 @@ namespace io
                      const std::function<bool()> &can_resume,
                      const std::string &more = "a later end") const;
 
+    /**
+     * Whether --resume goes on with an earlier run. A run of this application
+     * that ended before it left anything to go on with begins, which is logged.
+     * @param can_resume whether there is something to go on with; if not, true
+     * means that the folder holds something else
+     */
+    bool goes_on(const CommandLine &command, bool can_resume) const;
+
     const Manifest &manifest() const
     {
       return manifest_;

@@ -37,6 +37,13 @@ namespace io
     /// @throws InputError when the folder cannot be claimed
     bool claim(const CommandLine &command);
 
+    /// Whether the claimed folder holds a run to go on with, see
+    /// FolderClaim::goes_on().
+    bool resumes() const
+    {
+      return resumes_;
+    }
+
     /// Removes the files of an earlier run.
     void start();
 
@@ -97,6 +104,7 @@ namespace io
     HistoryFile history_;
     HistoryFile probes_;
     Checkpoints checkpoints_;
+    bool resumes_ = false;
     RunDescription run_; ///< current state, for checkpoints
     std::vector<NamedValue> last_values_;
   };

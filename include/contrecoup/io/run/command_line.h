@@ -101,5 +101,9 @@ namespace io
   /// @throws InputError for unknown entries and invalid values
   void read_parameters(const CommandLine &command,
                        dealii::ParameterHandler &prm);
+
+  /// Shows the warnings of find_unused() for the applied assignments.
+  void warn_of_unused(const CommandLine &command,
+                      const dealii::ParameterHandler &prm);
 } // namespace io
 } // namespace contrecoup

@@ -37,6 +37,13 @@ public:
   /// Value at @p distance [m], in the unit of the quantity; NaN: not known.
   double value(BlastQuantity quantity, double distance) const;
 
+  /// Whether the tables have all quantities of a wave, reflected by a wall and
+  /// not, at @p distance [m].
+  bool is_tabulated(double distance) const;
+
+  /// Nearest distance to @p distance with is_tabulated(), to 2 % [m].
+  double nearest_tabulated(double distance) const;
+
   /// Duration of the positive phase at the nearest distance to @p distance that
   /// the tables have [s].
   double nearest_duration(double distance) const;

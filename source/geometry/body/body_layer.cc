@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/system/text.h>
+#include <contrecoup/geometry/body/body_layer.h>
+#include <contrecoup/geometry/image/head_segmentation.h>
+
+#include <algorithm>
+
+namespace contrecoup
+{
+namespace
+{
+  std::string millimetres(const double length)
+  {
+    return brief(1e3 * length, 3) + " mm";
+  }
+
+
+  std::vector<BodyLayer> layers_of_phantom(ParameterHandler &prm)
+  {
+    const Section section(prm, "Phantom");
+    // See phantom::make_brain().
+    constexpr double fluid = 0.0025;
+    std::vector<BodyLayer> layers{{"cerebrospinal fluid",
+                                   fluid * read_double(prm, "Head scale"),
+                                   "Body/Phantom",
+                                   true}};
+    const double skin = read_double(prm, "Skin thickness");
+    if (skin > 0.)
+      layers.push_back({"skin", skin, "Body/Phantom/Skin thickness"});
+    return layers;
+  }
+
+
+  std::vector<BodyLayer> layers_of_shape(ParameterHandler &prm)
+  {
+    const Section section(prm, "Shape");
+    std::vector<double> thickness = read_list(prm, "Layers");
+    const bool is_usual = thickness.empty();
+    if (is_usual)
+      thickness = usual_layers(prm.get("Shape"));
+    std::vector<BodyLayer> layers;
+    for (const double one : thickness)
+      layers.push_back({"layer " + std::to_string(layers.size() + 1),
+                        one,
+                        "Body/Shape/Layers",
+                        is_usual});
+    return layers;
+  }
+
+
+  std::vector<BodyLayer> layers_of_image(ParameterHandler &prm)
+  {
+    const Section section(prm, "Image");
+    if (prm.get("Kind") == "labels")
+      return {};
+    const Section head(prm, "Head");
+    const HeadRules usual;
+    HeadRules rules;
+    rules.parse_parameters(prm);
+    const std::string path = "Body/Image/Head/";
+    return {{"cerebrospinal fluid",
+             rules.fluid_thickness,
+             path + "Fluid thickness",
+             rules.fluid_thickness == usual.fluid_thickness},
+            {"skull",
+             rules.skull_thickness,
+             path + "Skull thickness",
+             rules.skull_thickness == usual.skull_thickness},
+            {"scalp",
+             rules.scalp_thickness,
+             path + "Scalp thickness",
+             rules.scalp_thickness == usual.scalp_thickness}};
+  }
+
+
+  /// The line about these layers.
+  std::string line_of(const std::vector<BodyLayer> &layers,
+                      const double element_size,
+                      const std::string &entry)
+  {
+    std::vector<std::string> words;
+    double least = element_size;
+    for (const BodyLayer &layer : layers)
+    {
+      words.push_back(layer.part + ", " + millimetres(layer.thickness) + " (" +
+                      layer.entry + ")");
+      least = std::min(least, layer.thickness);
+    }
+    return join(words, ", ") + (words.size() > 1 ? " are" : " is") +
+           " thinner than the elements of " + millimetres(element_size) +
+           ", so that there are holes; " + entry + " of at most " +
+           millimetres(least) + " closes them";
+  }
+} // namespace
+
+
+std::vector<BodyLayer> read_layers(ParameterHandler &prm)
+{
+  const Section section(prm, "Body");
+  const std::string kind = prm.get("Kind");
+  std::vector<BodyLayer> layers;
+  if (kind == "phantom")
+    layers = layers_of_phantom(prm);
+  else if (kind == "shape")
+    layers = layers_of_shape(prm);
+  else if (kind == "image")
+    layers = layers_of_image(prm);
+  for (BodyLayer &layer : layers)
+    layer.thickness *= read_double(prm, "Scale");
+  return layers;
+}
+
+
+std::vector<std::string> thin_layer_lines(const std::vector<BodyLayer> &layers,
+                                          const double element_size,
+                                          const double usual_size,
+                                          const std::string &entry)
+{
+  const bool is_coarse = element_size > usual_size * (1. + 1e-9);
+  std::vector<BodyLayer> warned, remarked;
+  for (const BodyLayer &layer : layers)
+    if (layer.thickness < element_size * (1. - 1e-9))
+      (layer.is_usual && !is_coarse ? remarked : warned).push_back(layer);
+  std::vector<std::string> lines;
+  if (!warned.empty())
+    lines.push_back("WARNING: " + line_of(warned, element_size, entry));
+  if (!remarked.empty())
+    lines.push_back("  " + line_of(remarked, element_size, entry));
+  return lines;
+}
+} // namespace contrecoup
