@@ -166,7 +166,7 @@ def folder_lock(case):
     require(manifest(output)["status"] == "finished", "it did not finish")
 
 
-def folder_begins(case, _check_bound, read_summary):
+def folder_begins(case):
     """--resume of a run that was killed before it left anything to go on with
     begins, and says so; a folder with files of a user, or of another application,
     is refused. --argument makes a long run without checkpoints."""
@@ -177,8 +177,8 @@ def folder_begins(case, _check_bound, read_summary):
             os.path.join(output, "manifest.json")), "it had begun")
     finally:
         for pid in resume_cases.descendants(process.pid):
-            os.kill(pid, signal.SIGKILL)
-        process.kill()
+            with contextlib.suppress(ProcessLookupError):
+                os.kill(pid, signal.SIGKILL)
         process.communicate()
     require(not has_checkpoint(output), "it left a checkpoint")
     require(manifest(output)["status"] == "started", "it was not killed")
