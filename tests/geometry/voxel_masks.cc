@@ -81,6 +81,38 @@ TEST(VoxelMask, HolesGapsAndPieces)
 }
 
 
+// From afar the projection along the gradients of a grid misses the nearest
+// voxel by several.
+TEST(GridDistance, FindsTheNearestPlaceFromAfar)
+{
+  VoxelMask mask{{{40, 40, 60}}, {{0.1, 0.1, 0.1}}, {}};
+  std::vector<Point<3>> centers;
+  for (unsigned int k = 0; k < 60; ++k)
+    for (unsigned int j = 0; j < 40; ++j)
+      for (unsigned int i = 0; i < 40; ++i)
+      {
+        const double x = (i - 20.) / 18., y = (j - 20.) / 14.,
+                     z = (k - 30.) / 26.;
+        mask.inside.push_back(x * x + y * y + z * z < 1.);
+        if (mask.inside.back())
+          centers.push_back(Point<3>(0.1 * i, 0.1 * j, 0.1 * k));
+      }
+  const GridDistance shape(mask, diagonal(0.1), Tensor<1, 3>());
+  for (const Point<3> &point : {Point<3>(15., 2.3, 3.),
+                                Point<3>(15., 4., 3.),
+                                Point<3>(15., 9., 8.),
+                                Point<3>(12., 14., -3.),
+                                Point<3>(4.5, 4.5, 7.)})
+  {
+    double least = 1e9;
+    for (const Point<3> &center : centers)
+      least = std::min(least, point.distance(center));
+    EXPECT_NEAR(point.distance(shape.nearest(point)), least - 0.05, 0.06)
+      << point;
+  }
+}
+
+
 TEST(GridDistance, IsCloseToABallAndNeverTooLarge)
 {
   const double radius = 0.8;

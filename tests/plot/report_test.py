@@ -396,7 +396,7 @@ class ReportTest(unittest.TestCase):
         words = text_of(Made(folder).page)
         self.expect(words, "Survives (death by lung injury: less than 0.1 %);",
                     "Chest and lungs are farther from the charge",
-                    "of the load on the skin of the trunk, an upper limit")
+                    "of the reflected load on the skin of the trunk")
         for absent in ("free-field load over", "less than 0.1 % (4.2 % before",
                        "by the tables"):
             self.assertNotIn(absent, words)

@@ -18,6 +18,11 @@ def axes(scene):
     return None if None in found else np.array(found)
 
 
+def is_person(scene):
+    """Whether the body is a whole person, who stands, sits or lies."""
+    return "posture" in (scene.facts.get("person") or {})
+
+
 def words(scene):
     """The person in words: "a standing person of 1.756 m and 78.5 kg"."""
     known = (scene.facts.get("person") or {}).get("description")

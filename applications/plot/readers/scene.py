@@ -145,6 +145,10 @@ class Scene:
                 self._loads = loads.Loads(path)
         return self._loads
 
+    def asks_for_loads(self):
+        """Whether the scene ends with the loads on the skin."""
+        return self.facts.get("question") == "loads"
+
     def has_no_gauges(self):
         """Whether loads were recorded, but at no named place."""
         known = self.loads()

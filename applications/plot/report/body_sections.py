@@ -13,7 +13,7 @@ from matplotlib.colors import Normalize
 from plot.readers import fields, files
 from plot.analysis import person, signals, tissue_places, wave_times
 from plot.figures import body_cuts, style
-from plot.report import page
+from plot.report import injury_table, page
 from plot.report.energy_audit import EnergyAudit
 
 # The parasagittal plane: so far from y = 0 [m], but at most such a part of the
@@ -127,11 +127,12 @@ def _peaks(scene):
     if not found:
         return []
     averaged = scene.biomechanics.parameters.get("Peaks/Pressure") == "averaged"
+    body = "head" if injury_table.has_brain(scene) else "body"
     return [page.figure(
         _draw_peaks(found),
-        "The head cut along its middle, coloured by "
+        f"The {body} cut along its middle, coloured by "
         + ", ".join(title for title, *_ in found) + ".",
-        "Extremes of each element of the head over the whole run, in the "
+        f"Extremes of each element of the {body} over the whole run, in the "
         f"{_middle_plane(scene)}. Pressures are " + (
             "averages over neighbouring elements." if averaged else
             "those of single elements, which oscillate from one to the next "
@@ -196,8 +197,9 @@ def histories(scene):
         + ", ".join(title.lower() for title, _ in groups)
         + "; the extremes are in the table below.",
         "Pressure over time, averaged over the tissue around each place; "
-        "compression is positive. Coup is the side of the brain towards the "
-        "charge, contrecoup the opposite side.", "svg")]
+        "compression is positive."
+        + (" Coup is the side of the brain towards the charge, contrecoup the "
+           "opposite side." if brain else ""), "svg")]
     rows = []
     for place in places:
         pressure = place.pressure(probes)

@@ -92,6 +92,10 @@ def section(scene, judged):
         rows.append((entry.title, "–" if entry.coarser is None
                      else entry.shown(entry.coarser), entry.shown(),
                      entry.shown_error()))
+    if not rows:
+        return page.paragraph(
+            "The coarser run has cells of twice the size; this scene has no "
+            "measure of injury whose error it could tell.")
     return page.table(
         ("measure", "coarser run", "this run", "estimated error"), rows,
         page.tag(

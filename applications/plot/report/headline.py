@@ -34,7 +34,8 @@ class Lead:
 
     def __init__(self, scene, judged):
         self.verdicts = verdict.verdicts(scene, judged)
-        self.sentence = verdict.sentence(self.verdicts)
+        self.sentence = _loads_alone(scene) if not self.verdicts and \
+            scene.asks_for_loads() else verdict.sentence(self.verdicts)
         self.opening = _opening(scene)
         self.reservations = _certainty(scene, judged)
         self.warnings = scene.warnings()
@@ -196,11 +197,22 @@ def _with_error(value, unit, is_chance, error):
         "" if error is None else f" {page.error(error)}")
 
 
+def _loads_alone(scene):
+    """The answer to a question about loads alone."""
+    known = scene.loads()
+    if known is None:
+        return "The loads on the skin are unknown: loads.h5 is missing."
+    peak, impulse = (float(known.measure(name).max())
+                     for name in ("peak", "impulse"))
+    return (f"The overpressure on the skin reaches {page.quantity(peak, 'Pa')}, "
+            f"its impulse {page.quantity(impulse, 'Pa s')}.")
+
+
 def _certainty(scene, judged):
     """How sure the answer is, a sentence each."""
     parts = ["The wave in the open is that at the nearest skin. Chest and lungs "
              "are farther from the charge: death by lung injury follows from "
-             "the load on their skin, an upper limit."] \
+             "the reflected load on their skin."] \
         if injury_table.lungs_by(scene) == "skin" else []
     parts += _tables(scene, judged) + _verdicts(scene, judged)
     parts += _afterburn(scene) + _model_bias(scene)
@@ -256,7 +268,9 @@ def _tables(scene, judged):
     if differing:
         parts.append(
             "Beside the body, " + page.joined(differing) + " the tables of "
-            "Kingery and Bulmash, by more than the errors of both"
+            "Kingery and Bulmash, by more than the error"
+            + (" of the tables, while that of the run is unknown"
+               if scene.coarser is None else "s of both")
             + ("" if (scene.facts.get("tables") or {}).get("is_published", True)
                else " (the TNT equivalence is a ratio of energies, not "
                "measured)") + "; loads and verdicts carry "

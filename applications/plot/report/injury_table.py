@@ -30,7 +30,7 @@ AIR_NAMES = {"lung_exposure": "lung_exposure_air",
 AS_FAR = 0.05  # relative difference
 # Beyond this, relative to the nearest skin, the trunk is not where the probe is.
 FARTHER = 1.15
-OF_THE_SKIN = ("of the load on the skin of the trunk, an upper limit: trunk and "
+OF_THE_SKIN = ("of the reflected load on the skin of the trunk: trunk and "
                "lungs are farther from the charge than the probe beside the "
                "nearest skin; for 24 h without treatment")
 # Told with the checks of the run.
@@ -40,7 +40,7 @@ PRESSURES = ("injury_intracranial_pressure_peak",
 TENSIONS = ("injury_cavitating_fraction", "injury_cavitation_dose")
 GROUPS = (("Ears", ("ear_",)),
           ("Chest and lungs", ("chest_", "injury_chest", "injury_lung",
-                               "lung_")),
+                               "injury_adjusted_severity", "lung_")),
           ("Brain and head", ("injury_",)))
 
 
@@ -144,7 +144,7 @@ class Judged:
 
 def judge(scene):
     """All measures, those of the skin first."""
-    side = loaded_side(scene)
+    side = loaded_side(scene) if has_chest(scene) else ""
     lungs = lungs_by(scene)
     all_known = injury_thresholds.of_run(scene)
     coarser = {} if scene.coarser is None else _measures_of(
@@ -208,9 +208,16 @@ def loaded_side(scene):
 
 
 def has_chest(scene):
-    """Whether the body is more than a head."""
-    return "injury_lung_exposure" in scene.measures() or any(
-        ("lung_exposure", side) in scene.gauge_injury() for side in SIDES)
+    """Whether the body has lungs, or is a person with gauges at the trunk; any
+    other body may have a gauge of the same name."""
+    return "injury_lung_exposure" in scene.measures() or (
+        person.is_person(scene) and any(
+            ("lung_exposure", side) in scene.gauge_injury() for side in SIDES))
+
+
+def has_brain(scene):
+    """Whether there are measures of the brain."""
+    return any(name in scene.measures() for name in PRESSURES)
 
 
 def has_probe_at_body(scene):
@@ -291,7 +298,7 @@ def _add_skin(run, side, all_known, add):
                     title=known.title.replace("an eardrum", f"the {place}drum"),
                     limits=known.limits if peak is None else
                     f"peak {page.quantity(peak, 'Pa')}; {known.limits}"))
-        elif name is not None and place in (side, "trunk"):
+        elif name is not None and side and place in (side, "trunk"):
             add(name, found.value, found.unit, all_known[name])
 
 
@@ -336,6 +343,10 @@ def _nothing_judged(scene):
         return page.paragraph(
             "There is no measure of injury: this body has neither a brain nor "
             "a chest.", kind="note")
+    if scene.asks_for_loads() and scene.has_no_gauges():
+        return page.paragraph(
+            "There is no measure of injury: the question is loads, and no gauge "
+            "stands at chest or ears.", kind="note")
     wanted = "injury.csv of biomechanics"
     if not scene.has_no_gauges():
         wanted += " and gauge_injury.csv of the blast"

@@ -90,6 +90,7 @@ details summary { cursor: pointer; color: var(--accent); }
   .picture input:focus-visible + img { outline: 2px solid var(--accent); }
   .large figcaption::after { content: " Touch the picture to enlarge it."; }
   .wide { display: flex; flex-direction: column; }
+  .wide::before { content: attr(data-rows); color: var(--soft); }
   .wide caption { order: 1; }
   .wide col, .wide thead { display: none; }
   .wide tbody, .wide tr, .wide td { display: block; width: auto; }
@@ -322,7 +323,8 @@ def table(header, rows, caption=None, numbers=(), widths=(), data=None):
     content = csv_text(*(data or (header, rows))).encode("utf-8")
     link = tag("a", "Table as CSV", kind="csv", download=NAMELESS, href="data:text/csv;"
                "charset=utf-8;base64," + base64.b64encode(content).decode())
-    return Html(tag("table", *parts, kind="wide" if len(header) > 2 else None)
+    wide = {"kind": "wide", "data-rows": header[0]} if len(header) > 2 else {}
+    return Html(tag("table", *parts, **wide)
                 + link)
 
 

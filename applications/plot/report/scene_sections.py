@@ -65,7 +65,7 @@ def facts(scene):
     add("accuracy", scene.facts.get("accuracy"))
     if scene.cell_size():
         add("gas cells at the skin", _millimetres(scene.cell_size()))
-    if scene.element_size() and scene.facts.get("question") != "loads":
+    if scene.element_size() and not scene.asks_for_loads():
         add("mean edge of the body's own hexahedra" if scene.has_own_mesh()
             else "elements of the body",
             _millimetres(float(f"{scene.element_size():.3g}")))
@@ -252,6 +252,11 @@ class Event:
         self.mark, self.detail = mark, detail
         self.is_cut = False  # whether it goes on after the run
 
+    def last(self):
+        """The last of its times [s]."""
+        return max(time for time in (self.begin, self.end, self.mark)
+                   if time is not None)
+
 
 def events(scene):
     """All events, by lanes: in the air, on the skin, in the tissue."""
@@ -375,8 +380,7 @@ def _timeline_chart(scene, found):
         _draw_timeline(found), "Chart of events on a time axis, one row for "
         "each place on the skin and in the tissue, from "
         f"{page.milliseconds(min(event.begin for event in found))} to "
-        + page.milliseconds(max(event.end or event.mark or event.begin
-                                for event in found))
+        + page.milliseconds(max(event.last() for event in found))
         + "; the table below lists them.", caption + "Dotted lines: (a) "
         + "; ".join(f"({'abcdefgh'[i + 1]}) {event.what}" if i >= 0 else
                     event.what for i, event in enumerate(
@@ -394,7 +398,7 @@ def _rises(scene):
 
 
 def _draw_timeline(found):
-    last = max(event.end or event.mark or event.begin for event in found)
+    last = max(event.last() for event in found)
     rows = [event for event in found if event.lane != "air"]
     figure, axis = plt.subplots(figsize=(9., 0.25 * len(rows) + 1.3))
     for row, event in enumerate(rows):

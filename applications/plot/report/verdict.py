@@ -153,10 +153,24 @@ def _levels(entry, values):
     return " to ".join(dict.fromkeys(words))
 
 
+def _loaded_lungs(judged):
+    """The load on lungs which is farthest above its threshold; None below
+    all."""
+    return max((entry for entry in judged
+                if entry.name.startswith("lung_exposure") and entry.exceeded()),
+               key=lambda entry: entry.value, default=None)
+
+
 def _lungs(judged):
     entry = injury_table.find(judged, "chest_wall_mean")
     if entry is None:
         return None
+    load = _loaded_lungs(judged)
+    if load is not None and not entry.exceeded():
+        # Of two measures the worse one counts.
+        return Verdict("lungs", "lung injury possible", "mid",
+                       f"{load.short_title()}: {load.shown()}, above the "
+                       f"{load.meaning()}", load)
     here = _levels(entry, (entry.value, entry.value))
     detail = ""
     if entry.error is not None:

@@ -120,7 +120,11 @@ void PlannedScene::find_body(dealii::ParameterHandler &prm)
     body_mass_ =
       body_kind() == "phantom"
         ? std::pow(read_double(prm, "Scale"), 3) * description_.reference_mass()
-        : estimate_mass(*body_, element_size);
+        : estimate_mass(*body_, element_size, [this](const Tissue tissue) {
+            return find_solid_material(
+                     parameters_.tissues, tissue, parameters_.own_tissues)
+              .density;
+          });
     person_.emplace(prm, *body_, body_mass_, layout_->charge);
     if (parameters_.wants_injury())
       tissue_places_ = find_tissue_places(

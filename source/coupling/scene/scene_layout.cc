@@ -142,9 +142,9 @@ void SceneLayout::place_charge(const SceneParameters &scene,
   const auto skin = hit(surface, charge);
   distance_along_x =
     skin ? charge[0] - (*skin)[0] : std::numeric_limits<double>::quiet_NaN();
-  distance = surface.distance(charge);
-  // The projection of a point need not be its nearest place: that of a charge
-  // behind the phantom is 0.8 % farther away.
+  distance =
+    surface.value(charge) < 0. ? 0. : charge.distance(surface.nearest(charge));
+  // The nearest place in its surroundings need not be the nearest of all.
   if (!scene.place)
     distance = std::min(distance, scene.distance);
   if (distance <= 0.)

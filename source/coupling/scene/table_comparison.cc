@@ -215,14 +215,24 @@ std::string warning_of(const std::vector<ComparedQuantity> &compared,
                        const Explosive &explosive)
 {
   std::vector<std::string> parts;
+  bool has_errors = true;
   for (const ComparedQuantity &one : compared)
+  {
+    // Probabilities follow from the others and have no error of their own.
+    if (one.name == "peak_overpressure")
+      has_errors = std::isfinite(one.run_error);
     if (one.differs && !words_of(one).empty())
       parts.push_back(words_of(one));
+  }
   if (parts.empty())
     return "";
   const std::string equivalence = equivalence_in_words(explosive);
   return "WARNING: beside the body, run and tables of Kingery and Bulmash" +
          (equivalence.empty() ? "" : " (" + equivalence + ")") +
-         " differ by more than their errors: " + join(parts, "; ");
+         " differ by more than " +
+         (has_errors ? "their errors: "
+                     : "the error of the tables, while that of the run is "
+                       "unknown: ") +
+         join(parts, "; ");
 }
 } // namespace contrecoup::coupling

@@ -177,16 +177,20 @@ namespace
 } // namespace
 
 
-double estimate_mass(const Body &body, const double spacing)
+double estimate_mass(const Body &body,
+                     const double spacing,
+                     const std::function<double(Tissue)> &density)
 {
   LabelGrid grid = make_grid(body.surface()->bounding_box(), spacing);
   body.fill(grid);
-  const auto n_filled = std::count_if(
-    grid.labels.begin(), grid.labels.end(), [](const unsigned char label) {
-      return label != LabelGrid::outside;
-    });
-  constexpr double density = 1000.; // of water [kg/m^3]
-  return density * grid.volume() * static_cast<double>(n_filled);
+  const auto &parts = body.parts();
+  double mass = 0.;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    if (const auto n = std::count(grid.labels.begin(),
+                                  grid.labels.end(),
+                                  static_cast<unsigned char>(i)))
+      mass += density(parts[i].tissue) * static_cast<double>(n);
+  return mass * grid.volume();
 }
 
 

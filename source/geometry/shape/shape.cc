@@ -52,6 +52,24 @@ Point<3> Shape::project(const Point<3> &point) const
   return foot;
 }
 
+Point<3> Shape::nearest(const Point<3> &point) const
+{
+  constexpr double least_reach = 1e-3;
+  Point<3> foot = project(point);
+  double reach = 1.;
+  while (reach > least_reach)
+  {
+    const Tensor<1, 3> outward = normal(foot), offset = point - foot;
+    const Tensor<1, 3> along = offset - (offset * outward) * outward;
+    const Point<3> next = project(foot + reach * along);
+    if (next.distance(point) < foot.distance(point))
+      foot = next;
+    else
+      reach *= 0.5;
+  }
+  return foot;
+}
+
 double Shape::distance(const Point<3> &point) const
 {
   const double length = point.distance(project(point));

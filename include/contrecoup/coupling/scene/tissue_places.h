@@ -7,6 +7,7 @@
 
 #include <deal.II/base/point.h>
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -19,9 +20,11 @@ struct TissuePlace
   dealii::Point<3> place; ///< [m]
 };
 
-/// Mass of a body with the density of water, from samples of spacing @p
-/// spacing [m] [kg].
-double estimate_mass(const Body &body, double spacing);
+/// Mass of a body from samples of spacing @p spacing [m] [kg].
+/// @param density of a tissue [kg/m^3]
+double estimate_mass(const Body &body,
+                     double spacing,
+                     const std::function<double(Tissue)> &density);
 
 /**
  * Standard positions of a blast report, as far as the body has the tissues:

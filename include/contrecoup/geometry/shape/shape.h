@@ -48,6 +48,11 @@ public:
   /// the nearest one if @p point is near a smooth surface.
   dealii::Point<3> project(const dealii::Point<3> &point) const;
 
+  /// The nearest point of the surface to @p point, or one of those that are
+  /// nearest in their surroundings: from project() along the surface. For
+  /// points far from the surface.
+  dealii::Point<3> nearest(const dealii::Point<3> &point) const;
+
   /// Signed distance from @p point to its projection by project() [m].
   double distance(const dealii::Point<3> &point) const;
 };
