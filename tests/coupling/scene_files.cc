@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/parameters/parameter_tree.h>
+#include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/coupling/scene/first_answer.h>
 #include <contrecoup/coupling/scene/scene_files.h>
 #include <contrecoup/geometry/body/body.h>
