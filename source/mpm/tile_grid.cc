@@ -86,13 +86,11 @@ void TileGrid::find_tiles(
   halve_blocks(tiles);
   if (weight)
   {
-    // deal.II 9.4 adds 1000 for each cell; this must not count.
-    constexpr unsigned int scale = 200;
-    tiles.signals.cell_weight.connect([&](const auto &cell, const auto) {
-      // A halved block needs as much work as eight blocks.
+    tiles.signals.weight.connect([&](const auto &cell, const auto) {
+      // A halved block needs as much work as the eight blocks of a tile.
       const unsigned int halved =
         levels_.n_halved(tile_at_corner(cell->vertex(0)));
-      return scale * weight(cell->vertex(0)) * (8 + 7 * halved) / 8;
+      return weight(cell->vertex(0)) * (8 + 7 * halved);
     });
     tiles.repartition();
   }

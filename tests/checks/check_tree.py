@@ -28,7 +28,7 @@ for _upper in ("ale", "coupling", "study"):
     BELOW[_upper] = BELOW["gas"] | {"gas", "solid", "mpm"}
 
 # The rooms of a layer, lowest first: each may include itself and those before.
-ROOMS = {"base": ["lanes", "system", "parameters", "run"],
+ROOMS = {"base": ["deal_ii", "lanes", "system", "parameters", "run"],
          "numerics": ["scheme", "element", "exact", "injury"],
          "geometry": ["image", "shape", "mesh", "body"],
          "io": ["file", "run", "output", "application"],

@@ -8,6 +8,7 @@
 #include <contrecoup/geometry/shape/primitive_shapes.h>
 
 #include <deal.II/grid/tria.h>
+#include <deal.II/grid/tria_description.h>
 
 #include <gtest/gtest.h>
 

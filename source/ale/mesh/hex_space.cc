@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/ale/mesh/hex_space.h>
+#include <contrecoup/base/deal_ii/releases.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/numerics/element/hex8_moments.h>
 
@@ -78,6 +79,12 @@ void HexSpace::distribute(const dealii::Triangulation<3> &mesh,
 }
 
 
+MPI_Comm HexSpace::communicator() const
+{
+  return communicator_of(*triangulation_);
+}
+
+
 std::vector<bool> HexSpace::find_double_vertices() const
 {
   std::vector<bool> result(vertices_->locally_owned_size() +
@@ -109,8 +116,8 @@ std::vector<bool> HexSpace::find_double_vertices() const
 void HexSpace::number_nodes()
 {
   const auto &own = dofs_->locally_owned_dofs();
-  dealii::IndexSet relevant;
-  dealii::DoFTools::extract_locally_relevant_dofs(*dofs_, relevant);
+  const dealii::IndexSet relevant =
+    dealii::DoFTools::extract_locally_relevant_dofs(*dofs_);
   dealii::IndexSet own_vertices(own.size() / 3), other_vertices(own.size() / 3);
   for (const auto dof : relevant)
     if (dof % 3 == 0)

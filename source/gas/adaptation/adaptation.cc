@@ -356,16 +356,13 @@ void Adaptation<dim>::distribute(const LeafCarrier<dim> &carrier,
 {
   if constexpr (dim > 1)
   {
-    using Status = typename LeafMesh<dim>::Tria::CellStatus;
     using Bytes = boost::iterator_range<std::vector<char>::const_iterator>;
     auto &tria = mesh_.triangulation();
     const auto handle = tria.register_data_attach(
-      [&](const CellIterator &cell, const Status) {
-        return carrier.pack(cell);
-      },
+      [&](const CellIterator &cell, const auto) { return carrier.pack(cell); },
       false);
-    weigher_ = tria.signals.weight.connect(
-      [this](const CellIterator &cell, const Status) {
+    weigher_ =
+      tria.signals.weight.connect([this](const CellIterator &cell, const auto) {
         return weights_[mesh_.leaf_of(cell)];
       });
     mesh_.distribute();
@@ -374,7 +371,7 @@ void Adaptation<dim>::distribute(const LeafCarrier<dim> &carrier,
     if (!maps.empty())
       maps.reinit(field.layout().n_points, mesh_.n_owned());
     tria.notify_ready_to_unpack(
-      handle, [&](const CellIterator &cell, const Status, const Bytes &bytes) {
+      handle, [&](const CellIterator &cell, const auto, const Bytes &bytes) {
         carrier.unpack(cell, &*bytes.begin());
       });
   }

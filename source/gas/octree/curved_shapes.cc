@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/base/deal_ii/releases.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/gas/octree/curved_shapes.h>
 
@@ -84,17 +85,16 @@ void CurvedShapes<dim>::reinit()
   const dealii::FE_Q<dim> element(degree_);
   dealii::DoFHandler<dim> dof_handler(triangulation_);
   dof_handler.distribute_dofs(element);
-  dealii::IndexSet relevant;
-  dealii::DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
+  const dealii::IndexSet relevant =
+    dealii::DoFTools::extract_locally_relevant_dofs(dof_handler);
   dealii::AffineConstraints<double> hanging(relevant);
   dealii::DoFTools::make_hanging_node_constraints(dof_handler, hanging);
   hanging.close();
 
   std::array<Vector, dim> positions;
   for (Vector &component : positions)
-    component.reinit(dof_handler.locally_owned_dofs(),
-                     relevant,
-                     dof_handler.get_communicator());
+    component.reinit(
+      dof_handler.locally_owned_dofs(), relevant, communicator_of(dof_handler));
   const dealii::MappingQ<dim> manifolds(degree_);
   dealii::FEValues<dim> values(manifolds,
                                element,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/base/deal_ii/releases.h>
 #include <contrecoup/gas/octree/hanging_vertices.h>
 #include <contrecoup/gas/octree/leaf_face.h>
 
@@ -34,7 +35,7 @@ void HangingVertices<dim>::settle()
   for (const auto &cell : triangulation_.active_cell_iterators())
     any = any || static_cast<unsigned int>(cell->level()) + 1 < n_levels;
   if (dealii::Utilities::MPI::max(any ? 1U : 0U,
-                                  triangulation_.get_communicator()) == 0)
+                                  communicator_of(triangulation_)) == 0)
     return;
   before_ = triangulation_.get_vertices();
   // What hangs on a coarse leaf may be the end of a finer leaf's edge on which

@@ -51,9 +51,7 @@ void LeafMesh<dim>::distribute()
       boost::signals2::scoped_connection equal_weights;
       if (triangulation_->signals.weight.empty())
         equal_weights = triangulation_->signals.weight.connect(
-          [](const CellIterator &, const typename Tria::CellStatus) {
-            return 1U;
-          });
+          [](const CellIterator &, const auto) { return 1U; });
       triangulation_->repartition();
     }
   rebuild();

@@ -198,8 +198,7 @@ namespace
         return;
       const boost::signals2::scoped_connection weigher =
         mesh.triangulation().signals.weight.connect(
-          [&](const typename LeafMesh<dim>::CellIterator &cell,
-              const typename LeafMesh<dim>::Tria::CellStatus) {
+          [&](const typename LeafMesh<dim>::CellIterator &cell, const auto) {
             return last.count(cell->id()) > 0 ? 1U : 0U;
           });
       mesh.distribute();

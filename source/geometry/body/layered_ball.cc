@@ -6,6 +6,7 @@
 
 #include <deal.II/base/numbers.h>
 #include <deal.II/grid/grid_tools.h>
+#include <deal.II/grid/tria_description.h>
 
 #include <algorithm>
 #include <cmath>
@@ -252,7 +253,7 @@ namespace
   template <typename Face>
   void set_wedge_boundary(const LayeredBall &ball,
                           const double axis_radius,
-                          Face &face)
+                          const Face &face)
   {
     const unsigned int out = ball.across_middle(),
                        side = ball.normal_to_middle();
@@ -260,17 +261,17 @@ namespace
     constexpr double tolerance = 1e-9;
     double least = std::numeric_limits<double>::max(), most = -least,
            farthest = 0.;
-    for (const unsigned int v : face.vertex_indices())
+    for (const unsigned int v : face->vertex_indices())
     {
-      const auto &vertex = face.vertex(v);
+      const auto &vertex = face->vertex(v);
       least = std::min(least, vertex[side] / (ball.wedge_slope * vertex[out]));
       most = std::max(most, vertex[side] / (ball.wedge_slope * vertex[out]));
       farthest = std::max(farthest, vertex[out]);
     }
     if (least > 1. - tolerance || most < -1. + tolerance)
-      face.set_boundary_id(side + 1);
+      face->set_boundary_id(side + 1);
     else if (farthest < 2. * axis_radius)
-      face.set_boundary_id(out + 1);
+      face->set_boundary_id(out + 1);
   }
 
   void set_boundaries(const LayeredBall &ball,
@@ -291,7 +292,7 @@ namespace
           face->set_boundary_id(d + 1);
       }
       if (ball.wedge_axis < 3)
-        set_wedge_boundary(ball, axis_radius, *face);
+        set_wedge_boundary(ball, axis_radius, face);
     }
   }
 } // namespace

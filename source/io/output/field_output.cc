@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/base/deal_ii/releases.h>
 #include <contrecoup/base/parameters/parameters.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/gather.h>
@@ -18,13 +19,6 @@ namespace io
 {
   namespace
   {
-#if DEAL_II_VERSION_GTE(9, 5, 0)
-    constexpr auto best_speed =
-      dealii::DataOutBase::CompressionLevel::best_speed;
-#else
-    constexpr auto best_speed = dealii::DataOutBase::VtkFlags::best_speed;
-#endif
-
     const char *const vtu = "vtu";
     const char *const hdf5 = "hdf5";
 
@@ -77,7 +71,7 @@ namespace io
     : names_(names)
   {
     dealii::DataOutBase::VtkFlags flags;
-    flags.compression_level = best_speed;
+    flags.compression_level = fastest_compression;
     flags.print_date_and_time = false;
     for (const FieldName &name : names)
       if (!name.unit.empty())

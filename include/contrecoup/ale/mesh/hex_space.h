@@ -62,10 +62,7 @@ public:
               MPI_Comm communicator,
               const std::vector<bool> &slides = {});
 
-  MPI_Comm communicator() const
-  {
-    return triangulation_->get_communicator();
-  }
+  MPI_Comm communicator() const;
 
   /// Continuous trilinear elements with three components, without the
   /// duplicate nodes of sliding regions.
