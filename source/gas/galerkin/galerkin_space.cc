@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/base/deal_ii/matrix_free.h>
 #include <contrecoup/gas/galerkin/galerkin_space.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -8,11 +9,6 @@
 #include <deal.II/fe/mapping_fe.h>
 #include <deal.II/fe/mapping_q.h>
 #include <deal.II/lac/affine_constraints.h>
-// The library itself holds MatrixFree for a single lane alone.
-#include <deal.II/matrix_free/dof_info.templates.h>
-#include <deal.II/matrix_free/mapping_info.templates.h>
-#include <deal.II/matrix_free/matrix_free.templates.h>
-#include <deal.II/matrix_free/shape_info.templates.h>
 
 namespace contrecoup::gas
 {

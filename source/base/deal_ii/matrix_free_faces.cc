@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+// What FEFaceEvaluation needs of deal.II for lanes that the library does not
+// hold, in the way that FEEvaluation documents.
+
+#include <contrecoup/base/deal_ii/lane_width.h>
+
+#if DEAL_II_VECTORIZATION_WIDTH_IN_BITS == 0
+
+// Degrees that get kernels of their own; see the entry Method/Degree.
+#  define FE_EVAL_FACTORY_DEGREE_MAX 5
+
+#  include <deal.II/matrix_free/evaluation_template_face_factory.templates.h>
+
+template <typename Real>
+using Lanes =
+  dealii::VectorizedArray<Real, CONTRECOUP_LANE_BITS / (8 * sizeof(Real))>;
+
+template struct dealii::internal::FEFaceEvaluationFactory<1, Lanes<double>>;
+template struct dealii::internal::FEFaceEvaluationFactory<2, Lanes<double>>;
+template struct dealii::internal::FEFaceEvaluationFactory<3, Lanes<double>>;
+template struct dealii::internal::FEFaceEvaluationFactory<3, Lanes<float>>;
+
+#endif
