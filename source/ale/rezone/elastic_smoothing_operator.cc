@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-// Before all of deal.II, since this file does not use the precompiled header.
-#include <contrecoup/base/lanes/lanes.h>
-
 #include <contrecoup/ale/mesh/ale_state.h>
 #include <contrecoup/ale/rezone/elastic_smoothing.h>
+#include <contrecoup/base/deal_ii/releases.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
 
@@ -89,9 +87,10 @@ ElasticSmoothing::System::System(HexSpace &space,
   , prescribed_(prescribed)
   , options_(options)
   , own_(space.node_dofs().locally_owned_dofs())
+  , relevant_(
+      dealii::DoFTools::extract_locally_relevant_dofs(space.node_dofs()))
   , memory_(space)
 {
-  dealii::DoFTools::extract_locally_relevant_dofs(space.node_dofs(), relevant_);
   dealii::AlignedVector<double> none(width * space.n_nodes());
   constrain(none);
   dealii::DynamicSparsityPattern pattern(relevant_);
@@ -258,8 +257,7 @@ void ElasticSmoothing::System::renew_preconditioner()
   data.higher_order_elements = false;
   data.smoother_sweeps = 2;
   data.aggregation_threshold = 0.02;
-  dealii::DoFTools::extract_constant_modes(
-    space_.node_dofs(), dealii::ComponentMask(), data.constant_modes);
+  data.constant_modes = constant_modes(space_.node_dofs());
   preconditioner_.initialize(matrix_, data);
 }
 
