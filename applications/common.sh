@@ -100,10 +100,12 @@ watch_build() {
   done
 }
 
-# Settings under which mpirun works in containers and as root.
+# Settings under which mpirun works in containers and as root; Open MPI 5 has
+# the name that begins with PRTE.
 allow_mpi_anywhere() {
   export OMPI_MCA_btl_vader_single_copy_mechanism=none
   export OMPI_MCA_rmaps_base_oversubscribe=1
+  export PRTE_MCA_rmaps_default_mapping_policy=:oversubscribe
   export OMP_NUM_THREADS=1
   if [ "$(id -u)" -eq 0 ]; then
     export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1

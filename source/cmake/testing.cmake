@@ -19,6 +19,7 @@ foreach(_line ${_lines})
   set(CONTRECOUP_SECONDS_${CMAKE_MATCH_1} ${CMAKE_MATCH_2})
 endforeach()
 
+# Open MPI 5 has the names that begin with PRTE.
 set(CONTRECOUP_TEST_ENVIRONMENT
   OMPI_ALLOW_RUN_AS_ROOT=1
   OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
@@ -27,6 +28,8 @@ set(CONTRECOUP_TEST_ENVIRONMENT
   OMPI_MCA_hwloc_base_binding_policy=none
   OMPI_MCA_ess_singleton_isolated=1
   OMPI_MCA_mpi_yield_when_idle=1
+  PRTE_MCA_hwloc_default_binding_policy=none
+  PRTE_MCA_rmaps_default_mapping_policy=:oversubscribe
   OMP_NUM_THREADS=1
   CONTRECOUP_CHECK_SECONDS=0
   PYTHONDONTWRITEBYTECODE=1)

@@ -31,7 +31,10 @@ namespace
   /// the user are kept.
   bool belongs_to_mpi_job(const std::string &variable)
   {
-    for (const char *kept : {"OMPI_ALLOW_RUN_AS_ROOT", "PMIX_MCA_"})
+    for (const char *kept : {"OMPI_ALLOW_RUN_AS_ROOT",
+                             "PMIX_MCA_",
+                             "PRTE_MCA_rmaps",
+                             "PRTE_MCA_hwloc"})
       if (begins_with(variable, kept))
         return false;
     for (const char *of_job : {"OMPI_MCA_orte",
@@ -58,7 +61,7 @@ namespace
   }
 
   /// Environment of a child. Concurrent runs must not all bind their ranks to
-  /// the first cores.
+  /// the first cores; Open MPI 5 has other names for these settings.
   std::vector<std::string>
   child_variables(const std::vector<std::string> &further)
   {
@@ -73,6 +76,8 @@ namespace
     std::vector<std::string> defaults = {
       "OMPI_MCA_hwloc_base_binding_policy=none",
       "OMPI_MCA_rmaps_base_oversubscribe=1",
+      "PRTE_MCA_hwloc_default_binding_policy=none",
+      "PRTE_MCA_rmaps_default_mapping_policy=:oversubscribe",
       "OMP_NUM_THREADS=1"};
     if (geteuid() == 0)
       defaults.insert(

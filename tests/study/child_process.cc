@@ -59,6 +59,8 @@ TEST(ChildProcess, DoesNotInheritAnMpiJob)
   setenv("PMIX_MCA_gds", "hash", 1);
   setenv("OMPI_COMM_WORLD_RANK", "1", 1);
   setenv("OMPI_MCA_btl_vader_single_copy_mechanism", "none", 1);
+  setenv("PRTE_LAUNCHED", "1", 1);
+  setenv("PRTE_MCA_rmaps_default_mapping_policy", "slot", 1);
   const contrecoup::io::TemporaryFolder folder;
   const std::string variables = run_process({"env"}, folder.path()).output;
   // Of PMIx settings alone are kept.
@@ -68,8 +70,13 @@ TEST(ChildProcess, DoesNotInheritAnMpiJob)
   EXPECT_NE(variables.find("PMIX_MCA_gds=hash"), std::string::npos);
   EXPECT_EQ(variables.find("OMPI_COMM"), std::string::npos);
   EXPECT_NE(variables.find("OMPI_MCA_btl_vader"), std::string::npos);
+  EXPECT_EQ(variables.find("PRTE_LAUNCHED"), std::string::npos);
+  EXPECT_NE(variables.find("PRTE_MCA_rmaps_default_mapping_policy=slot\n"),
+            std::string::npos);
   unsetenv("PMIX_RANK");
   unsetenv("PMIX_NAMESPACE");
   unsetenv("PMIX_MCA_gds");
   unsetenv("OMPI_COMM_WORLD_RANK");
+  unsetenv("PRTE_LAUNCHED");
+  unsetenv("PRTE_MCA_rmaps_default_mapping_policy");
 }
