@@ -73,13 +73,17 @@ build_jobs() {
   echo "$cores"
 }
 
-# build TARGET...: configures and builds these targets with the release preset.
-build() {
-  local jobs
-  jobs=$(build_jobs)
+# configure: lets CMake look at this machine, for the release preset.
+configure() {
   say "configuring in $root/build"
   quietly cmake --preset release ||
     fail "configuring failed; see $log"
+}
+
+# build TARGET...: builds these targets with the release preset.
+build() {
+  local jobs
+  jobs=$(build_jobs)
   say "building with $jobs compiler(s) at once (about 12 minutes)"
   local watcher=
   if [ -t 1 ]; then

@@ -50,8 +50,9 @@ class ScriptsTest(unittest.TestCase):
         self.write(name, f'echo "{name} $*, threads: $OMP_NUM_THREADS" '
                    f'>>"{self.calls}"\n{more}')
 
-    def run_script(self, script, *arguments, **variables):
-        """The lines of what a script called, and what it wrote."""
+    def run_script(self, script, *arguments, expected=0, **variables):
+        """The lines of what a script called, and what it wrote; it ends with the
+        exit code @p expected."""
         path = os.path.join(self.root, "bin") + ":" + os.environ["PATH"]
         environment = {name: value for name, value in os.environ.items()
                        if not name.startswith("OMP_")}
@@ -59,7 +60,7 @@ class ScriptsTest(unittest.TestCase):
             [os.path.join(self.root, script), *arguments],
             cwd=self.root, env={**environment, "PATH": path, **variables},
             capture_output=True, text=True)
-        self.assertEqual(run.returncode, 0, run.stdout + run.stderr)
+        self.assertEqual(run.returncode, expected, run.stdout + run.stderr)
         with open(self.calls, encoding="utf-8") as file:
             return file.read().splitlines(), run.stdout
 
@@ -78,6 +79,13 @@ class ScriptsTest(unittest.TestCase):
 
     def test_tests_run_on_every_core(self):
         self.check_tests()
+
+    def test_faults_of_the_tree_are_told_before_anything_is_compiled(self):
+        self.record("ctest", "exit 8")
+        calls, output = self.run_script("tests/run", expected=8)
+        self.assertIn("^checks_", self.call_of("ctest", calls))
+        self.assertFalse([call for call in calls if " --build " in call], calls)
+        self.assertNotIn("building", output)
 
     def test_threads_of_the_caller_are_no_limit(self):
         self.check_tests(OMP_NUM_THREADS="1")
