@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Checks of the source tree: check_tree.py CHECK [ROOT [FOLDER...]].
 
-CHECK is one of the functions listed in CHECKS below. Each takes the root
+CHECK is one of the functions listed in CHECKS below, or "quick" for all that take
+no more than seconds. Each takes the root
 folder of the repository, tidy also the folders that libraries have their
 headers in, and returns a list of problems, one line each, that
 start with file (and line). Exit code 0: none, 1: some, 77: skipped, which in CI
@@ -492,30 +493,49 @@ def tidy(root, *folders):
     return sorted(problems)
 
 
+def spelling(root):
+    """codespell finds no misspelled word; .codespellrc has the exceptions."""
+    if not shutil.which("codespell"):
+        raise Skip("codespell is not installed (Debian: apt install codespell)")
+    run = subprocess.run(["codespell", "--disable-colors", "."], cwd=root,
+                         capture_output=True, text=True)
+    return [line.removeprefix("./") for line in run.stdout.splitlines()
+            if "==>" in line]
+
+
 CHECKS = {check.__name__: check for check in
           (layers, rooms, plot_rooms, lengths, functions, mirror, overloads,
-           licence, parameters, guide, links, citation, formatting,
-           tidy)}
+           licence, parameters, guide, links, citation, spelling,
+           formatting, tidy)}
 
 
-def main(arguments):
-    if not arguments or arguments[0] not in CHECKS:
-        print("usage: check_tree.py CHECK [ROOT [FOLDER...]]; CHECK is one of: "
-              + ", ".join(CHECKS), file=sys.stderr)
-        return 2
-    root = arguments[1] if len(arguments) > 1 else "."
-    if not any(True for _ in cpp_files(root)):
-        print(f"no .h or .cc files below {root}", file=sys.stderr)
-        return 2
+def run_check(name, root, folders):
+    """Prints what a check finds, and returns the exit code."""
     try:
-        problems = CHECKS[arguments[0]](root, *arguments[2:])
+        problems = CHECKS[name](root, *folders)
     except Skip as reason:
         print(f"skipped: {reason}")
         return 1 if reason.fails() else SKIPPED
     for problem in problems:
         print(problem)
-    print(f"{arguments[0]}: {len(problems)} problem(s)")
+    print(f"{name}: {len(problems)} problem(s)")
     return 1 if problems else 0
+
+
+def main(arguments):
+    if not arguments or arguments[0] not in (*CHECKS, "quick"):
+        print("usage: check_tree.py CHECK [ROOT [FOLDER...]]; CHECK is one of: "
+              + ", ".join((*CHECKS, "quick")), file=sys.stderr)
+        return 2
+    root = arguments[1] if len(arguments) > 1 else "."
+    if not any(True for _ in cpp_files(root)):
+        print(f"no .h or .cc files below {root}", file=sys.stderr)
+        return 2
+    names = arguments[:1]
+    if names == ["quick"]:
+        names = [name for name in CHECKS if name != "tidy"]
+    codes = [run_check(name, root, arguments[2:]) for name in names]
+    return 1 if 1 in codes else max(codes)
 
 
 if __name__ == "__main__":

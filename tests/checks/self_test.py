@@ -3,6 +3,7 @@
 is wrong in a bad one."""
 
 import os
+import shutil
 import subprocess
 import tempfile
 import unittest
@@ -222,6 +223,13 @@ class TreeTest(unittest.TestCase):
         for text in ("version: 1.2.4\n", "cff-version: 1.2.3\n"):
             self.write("CITATION.cff", text)
             self.expect("citation", "CITATION.cff")
+
+    def test_misspelled(self):
+        if not shutil.which("codespell") and not os.environ.get("CI"):
+            self.skipTest("no codespell")
+        self.assertEqual(check_tree.spelling(self.root), [])
+        self.write("README.md", "One\n\nThe resluts.\n")
+        self.expect("spelling", "README.md:3", "resluts ==> results")
 
     def test_badly_formatted(self):
         try:

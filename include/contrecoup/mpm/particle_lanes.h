@@ -8,7 +8,8 @@
 #include <contrecoup/mpm/particle_material.h>
 
 /**
- * @file Functions that the strain updates of liquids, solids and metals share.
+ * @file
+ * Functions that the strain updates of liquids, solids and metals share.
  * Each works on the n particles p to p + n - 1, one in each lane.
  */
 

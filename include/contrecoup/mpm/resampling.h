@@ -10,7 +10,8 @@
 #include <vector>
 
 /**
- * @file Resampling: splits particles where matter is stretched, and merges them
+ * @file
+ * Resampling: splits particles where matter is stretched, and merges them
  * where cells contain too many. Mass, momentum, angular momentum, and the sum
  * of kinetic and internal energy are conserved up to round-off.
  */

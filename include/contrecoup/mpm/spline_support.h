@@ -13,7 +13,8 @@
 #include <algorithm>
 
 /**
- * @file Functions that the transfer kernels share: the splines of particles in
+ * @file
+ * Functions that the transfer kernels share: the splines of particles in
  * the window of their tile.
  */
 

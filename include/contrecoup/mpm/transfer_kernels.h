@@ -9,7 +9,8 @@
 #include <array>
 
 /**
- * @file Transfers between a block of particles and the window of its tile. The
+ * @file
+ * Transfers between a block of particles and the window of its tile. The
  * components of a window are window_stride apart.
  */
 

@@ -4,7 +4,8 @@
 #pragma once
 
 /**
- * @file Two-scale relation: B-splines of a grid as sums of those of the grid
+ * @file
+ * Two-scale relation: B-splines of a grid as sums of those of the grid
  * with halved cells. It is applied between the window of a tile of level 1 and
  * that of the tile of level 0 that would begin at the same position. Along each
  * direction the weights of the fine splines are 1 (linear) or 6/8 (cubic) at

@@ -11,8 +11,8 @@ namespace contrecoup
 /// folder", "permission denied"; empty if it can be read.
 std::string why_unreadable(const std::string &file);
 
-/// @throws InputError "cannot read <what> "<file>": <why>" unless the file can
-/// be read
+/// @throws InputError "cannot read WHAT "FILE": WHY" unless the file can be
+/// read
 /// @param what kind of file, with article: "the table"
 void require_readable(const std::string &what, const std::string &file);
 

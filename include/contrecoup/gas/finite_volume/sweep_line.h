@@ -177,9 +177,9 @@ add_rates(const Line<Number, n_conserved<dim, Gas>> &line,
  * all faces: in one loop both need twice as many registers as AVX2 has, and a
  * line of four subcells takes 1.5 times as long.
  *
- * @param faces geometry of the line, see line_faces.h
- * @param rates of each component of the line's frame in the first subcell,
- * those of the next subcells @p stride further
+ * @param given_faces geometry of the line, see line_faces.h
+ * @param given_rates of each component of the line's frame in the first
+ * subcell, those of the next subcells @p stride further
  */
 template <unsigned int fixed_n,
           typename SomeScheme,

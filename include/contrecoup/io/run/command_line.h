@@ -34,12 +34,11 @@ namespace io
   };
 
   /**
-   * Parses `FILE.prm [--set "Section/Entry=value"]... [--output DIR]
-   * [--resume] [--overwrite] [--check] [--estimate] [--print-parameters
-   * [WORD]] [--verbose] [--help] [--version]`, `--estimate` for "scene" only;
-   * also accepts `--set=...` and `--output=...`. With `--print-parameters` a
-   * word that is neither a file nor ends in ".prm" is the WORD. Without
-   * `--output` the folder is output/<application>/<name of the file>.
+   * Parses the command line that `--help` shows; `--estimate` is for "scene"
+   * only. Also accepts `--set=...` and `--output=...`. With
+   * `--print-parameters` a word that is neither a file nor ends in ".prm" is
+   * what to look for. Without `--output` the folder is
+   * `output/APPLICATION/NAME`, NAME that of the file.
    * @throws InputError for an unknown option, suggesting the nearest one, or
    * when a required parameter file is missing
    */
