@@ -138,7 +138,7 @@ TEST(SceneFiles, LeavesGetCoarserAfterTheGroundsReflectionHasPassed)
     const SceneParameters scene = scene_with(distance, height);
     const SceneLayout layout(scene, body);
     const auto entries = blast_entries(scene, layout, 78.5);
-    const JwlParameters &jwl = find_explosive("c-4").jwl;
+    const JwlParameters jwl = find_explosive("c-4").jwl;
     const ExpectedBlast blast(
       scene.mass * jwl.energy_density / jwl.reference_density, 101325., 1.225);
     const Point<3> image(layout.charge[0], 0., -height);

@@ -224,7 +224,7 @@ TEST(CustomExplosive, TakesTheEquivalenceFromItsEnergy)
   EXPECT_NEAR(weak.explosive.tnt.pressure, 1.37 * 6.7 / 9., 1e-12);
   EXPECT_NEAR(weak.explosive.tnt.impulse, 1.19 * 6.7 / 9., 1e-12);
   EXPECT_FALSE(weak.explosive.tnt.is_published);
-  const Explosive &c4 = find_explosive("c-4");
+  const Explosive c4 = find_explosive("c-4");
   EXPECT_NEAR(weak.explosive.afterburn.largest + energy,
               c4.afterburn.largest + 9e9 / 1601.,
               1.);

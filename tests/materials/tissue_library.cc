@@ -14,7 +14,7 @@ TEST(TissueLibrary, WaveSpeedsOfThePaper)
   const auto expect_speeds = [](const Tissue tissue,
                                 const double dilatational,
                                 const double shear) {
-    const TissueProperties &found = find_tissue_properties("paper", tissue);
+    const TissueProperties found = find_tissue_properties("paper", tissue);
     EXPECT_NEAR(found.dilatational_speed(), dilatational, 1e-5 * dilatational);
     EXPECT_NEAR(found.shear_speed(), shear, 1e-5 * shear);
   };
@@ -51,9 +51,9 @@ TEST(TissueLibrary, AeratedLungIsAllThatDiffersFromThePaper)
   {
     const Tissue tissue = static_cast<Tissue>(i);
     const bool is_lung = tissue == Tissue::lung;
-    const TissueProperties &one =
+    const TissueProperties one =
       find_tissue_properties("paper with aerated lung", tissue);
-    const TissueProperties &other =
+    const TissueProperties other =
       find_tissue_properties(is_lung ? "physiological" : "paper", tissue);
     EXPECT_EQ(one.gas.exists(), is_lung);
     EXPECT_EQ(one.density, other.density);

@@ -181,7 +181,7 @@ TEST(ExactRiemann, RefusesToExpandToAnImaginarySoundSpeed)
 // Burned TNT (1630 kg/m^3 with all of its energy) beside air at rest.
 TEST(ExactRiemann, SolvesProductsBesideAir)
 {
-  const JwlParameters &jwl = find_explosive("tnt").jwl;
+  const JwlParameters jwl = find_explosive("tnt").jwl;
   const GasMaterial products{MieGrueneisen::jwl(jwl)};
   const GasMaterial mixture{MieGrueneisen::jwl_in_air(jwl)};
   const double pressure = products.pressure(1630., 6e9, 1.);

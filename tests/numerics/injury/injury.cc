@@ -126,7 +126,7 @@ TEST(ChestWall, IndexOfEachLevelIsThatOfTheSource)
 
 TEST(InjuryCriteria, LevelsOfTheChestOverlap)
 {
-  const InjuryCriterion &chest = injury_criterion("chest_wall_mean");
+  const InjuryCriterion chest = injury_criterion("chest_wall_mean");
   EXPECT_EQ(chest.meaning(3.5), "none");
   EXPECT_EQ(chest.meaning(4.), "trace to slight");
   EXPECT_EQ(chest.meaning(5.), "trace to slight or slight to moderate");
@@ -144,7 +144,7 @@ TEST(InjuryCriteria, LevelsOfTheChestOverlap)
 // NHTSA: 31 % for injuries of AIS 2 at a HIC of 700, 47 % at 1000.
 TEST(InjuryCurves, OfTheHeadAreThoseOfNhtsa)
 {
-  const InjuryCurve &slight = injury_curve("hic15_ais2");
+  const InjuryCurve slight = injury_curve("hic15_ais2");
   EXPECT_NEAR(slight.probability(700.), 0.31, 0.005);
   EXPECT_NEAR(slight.probability(1000.), 0.474, 0.005);
   EXPECT_NEAR(
@@ -167,7 +167,7 @@ TEST(InjuryCurves, OfTheHeadAreThoseOfNhtsa)
 TEST(InjuryCurves, OfTheBrainHaveTheirMediansAsThresholds)
 {
   EXPECT_NEAR(injury_curve("bric_ais2").probability(0.602), 0.6321, 1e-4);
-  const InjuryCriterion &bric = injury_criterion("injury_bric");
+  const InjuryCriterion bric = injury_criterion("injury_bric");
   ASSERT_EQ(bric.curves.size(), bric.thresholds.size());
   for (std::size_t i = 0; i < bric.curves.size(); ++i)
     EXPECT_NEAR(
