@@ -216,10 +216,10 @@ namespace
 
 
   template <typename Number>
-  double from_bytes(const char *bytes)
+  double from_bits(const std::uint64_t bits)
   {
     Number number;
-    std::memcpy(&number, bytes, sizeof(number));
+    std::memcpy(&number, &bits, sizeof(number));
     return static_cast<double>(number);
   }
 
@@ -228,23 +228,26 @@ namespace
   {
     if (content_.size() - place_ < type.size)
       refuse("it ends too early");
-    char bytes[8];
-    std::memcpy(bytes, &content_[place_], type.size);
+    std::uint64_t bits = 0; // the lowest byte first
+    for (std::size_t i = 0; i < type.size; ++i)
+    {
+      const std::size_t at =
+        format_ == Format::big_endian ? type.size - 1 - i : i;
+      bits |= std::uint64_t(static_cast<unsigned char>(content_[place_ + at]))
+              << (8 * i);
+    }
     place_ += type.size;
-    if (format_ == Format::big_endian)
-      std::reverse(bytes, bytes + type.size);
     if (type.kind == 'f')
-      return type.size == 4 ? from_bytes<float>(bytes)
-                            : from_bytes<double>(bytes);
+      return type.size == 4 ? from_bits<float>(bits) : from_bits<double>(bits);
     const bool is_signed = type.kind == 'i';
     if (type.size == 1)
-      return is_signed ? from_bytes<std::int8_t>(bytes)
-                       : from_bytes<std::uint8_t>(bytes);
+      return is_signed ? from_bits<std::int8_t>(bits)
+                       : from_bits<std::uint8_t>(bits);
     if (type.size == 2)
-      return is_signed ? from_bytes<std::int16_t>(bytes)
-                       : from_bytes<std::uint16_t>(bytes);
-    return is_signed ? from_bytes<std::int32_t>(bytes)
-                     : from_bytes<std::uint32_t>(bytes);
+      return is_signed ? from_bits<std::int16_t>(bits)
+                       : from_bits<std::uint16_t>(bits);
+    return is_signed ? from_bits<std::int32_t>(bits)
+                     : from_bits<std::uint32_t>(bits);
   }
 
 
