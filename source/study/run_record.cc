@@ -21,19 +21,19 @@ namespace
     return input ? Json::parse(input, nullptr, false) : Json();
   }
 
-  const Json &member(const Json &object, const std::string &name)
+  const Json &member(const Json &object, const char *const name)
   {
     static const Json none;
     return object.is_object() && object.contains(name) ? object[name] : none;
   }
 
-  double number(const Json &object, const std::string &name)
+  double number(const Json &object, const char *const name)
   {
     const Json &value = member(object, name);
     return value.is_number() ? value.get<double>() : RunRecord::unknown;
   }
 
-  std::string text(const Json &object, const std::string &name)
+  std::string text(const Json &object, const char *const name)
   {
     const Json &value = member(object, name);
     return value.is_string() ? value.get<std::string>() : "";
