@@ -143,7 +143,7 @@ void WallLoads<dim>::add_step(const GasSnapshot<dim> &gas)
   const bool is_peak = !is_waiting() && loses_peaks(time, step);
   if (is_peak && time - step > totals_.sample_begin)
     end_sample(time - step);
-  dealii::Tensor<1, 3> force;
+  dealii::Tensor<1, 3> force, last_force;
   for (std::size_t i = 0; i < pressures_.size(); ++i)
   {
     const auto &facet = facets_.owned()[i];
@@ -151,12 +151,15 @@ void WallLoads<dim>::add_step(const GasSnapshot<dim> &gas)
     record.blast.add(pressures_[i], time, step, smallest);
     // Mean over the step: of the values at its begin and end.
     for (unsigned int d = 0; d < dim; ++d)
+    {
       force[d] += 0.5 * (record.last + pressures_[i]) * facet.area[d];
+      last_force[d] += pressures_[i] * facet.area[d];
+    }
     record.last = pressures_[i];
     record.sum += pressures_[i] * step;
   }
   add_gauges(time, step);
-  add_forces(force, gas.wall_force, step);
+  add_forces(force, last_force, gas.wall_force, step);
   const double duration = time - totals_.sample_begin;
   if (is_peak || (!is_waiting() && duration >= interval_ * (1. - 1e-9)))
     end_sample(time);
@@ -219,14 +222,16 @@ void WallLoads<dim>::add_gauges(const double time, const double step)
 
 template <int dim>
 void WallLoads<dim>::add_forces(const dealii::Tensor<1, 3> &facet_force,
+                                const dealii::Tensor<1, 3> &last_force,
                                 const std::array<double, 6> &wall_force,
                                 const double step)
 {
-  std::vector<double> sums(6);
+  std::vector<double> sums(9);
   for (unsigned int d = 0; d < 3; ++d)
   {
     sums[d] = facet_force[d];
     sums[3 + d] = wall_force[d] - ambient_ * wall_force[3 + d];
+    sums[6 + d] = last_force[d];
   }
   dealii::Utilities::MPI::sum(sums, communicator_, sums);
   dealii::Tensor<1, 3> facets, gas;
@@ -235,6 +240,7 @@ void WallLoads<dim>::add_forces(const dealii::Tensor<1, 3> &facet_force,
     facets[d] = sums[d];
     gas[d] = sums[3 + d];
     totals_.facet_impulse[d] += step * facets[d];
+    totals_.sampled_impulse[d] += step * sums[6 + d];
     totals_.gas_impulse[d] += step * gas[d];
   }
   totals_.largest_force = std::max(totals_.largest_force, gas.norm());
@@ -393,69 +399,6 @@ void WallLoads<dim>::create_file() const
      {"factors_to_whole_body", coordinates(dealii::Point<3>(to_whole_))},
      {"overpressure_samples", "means since the time before"},
      {"gauges", gauges_.description()}});
-}
-
-
-template <int dim>
-void WallLoads<dim>::write_measures()
-{
-  std::array<std::vector<double>, 4> values;
-  double highest = 0.;
-  for (const Record &record : records_)
-  {
-    const BlastMeasures measures = record.blast.measures(totals_.time);
-    values[0].push_back(measures.peak);
-    values[1].push_back(measures.impulse);
-    values[2].push_back(measures.arrival);
-    values[3].push_back(measures.duration);
-    highest = std::max(highest, measures.peak);
-  }
-  totals_.peak_loss = gauges_.largest_peak_loss();
-  for (const Record &record : records_)
-    if (record.blast.peak > counted_fraction * highest)
-      totals_.peak_loss = std::max(totals_.peak_loss,
-                                   1. - record.sample_peak / record.blast.peak);
-  io::LoadFile file(file_);
-  const char *const names[] = {"peak", "impulse", "arrival", "duration"};
-  for (unsigned int k = 0; k < 4; ++k)
-    file.write(names[k], values[k]);
-  io::LoadFile::Numbers numbers = {{"ambient_pressure_Pa", ambient_}};
-  for (const auto &values_of : {check_values(), result_values()})
-    for (const NamedValue &value : values_of)
-      numbers.emplace_back(value.name, value.value);
-  file.write(numbers);
-}
-
-
-template <int dim>
-std::vector<NamedValue> WallLoads<dim>::result_values() const
-{
-  std::vector<NamedValue> values;
-  for (unsigned int d = 0; d < dim; ++d)
-    values.push_back({std::string("loads_impulse_") + "xyz"[d],
-                      is_plane_ ? "N s/m" : "N s",
-                      0. + to_whole_[d] * totals_.facet_impulse[d]}); // not -0
-  for (const NamedValue &value : gauges_.measures(totals_.time))
-    values.push_back(value);
-  return values;
-}
-
-
-template <int dim>
-std::vector<NamedValue> WallLoads<dim>::check_values() const
-{
-  const auto relative = [](const double part, const double whole) {
-    return whole > 0. ? part / whole : 0.;
-  };
-  return {{"loads_facets", "-", double(facets_.n_global())},
-          {"loads_impulse_difference",
-           "-",
-           relative((totals_.facet_impulse - totals_.gas_impulse).norm(),
-                    totals_.gas_impulse.norm())},
-          {"loads_force_difference",
-           "-",
-           relative(totals_.largest_difference, totals_.largest_force)},
-          {"loads_sampled_peak_loss", "-", totals_.peak_loss}};
 }
 
 

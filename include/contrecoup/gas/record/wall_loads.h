@@ -96,13 +96,14 @@ private:
   /// Totals over the run so far.
   struct Totals
   {
-    double sample_begin = -1.;          ///< [s]; negative before the arrival
-    double n_times = 0.;                ///< number of samples in the file
-    dealii::Tensor<1, 3> facet_impulse; ///< [N s]
-    dealii::Tensor<1, 3> gas_impulse;   ///< [N s]
-    double largest_force = 0.;          ///< [N]
-    double largest_difference = 0.;     ///< between facets and gas [N]
-    double time = 0.;                   ///< [s]
+    double sample_begin = -1.; ///< [s]; negative before the arrival
+    double n_times = 0.;       ///< number of samples in the file
+    /// Of the facets, of the samples, which take pressures at the ends of
+    /// steps, and of the gas [N s].
+    dealii::Tensor<1, 3> facet_impulse, sampled_impulse, gas_impulse;
+    double largest_force = 0.;      ///< [N]
+    double largest_difference = 0.; ///< between facets and gas [N]
+    double time = 0.;               ///< [s]
     /// Largest fraction of a facet's peak that no sample shows, of the facets
     /// whose peak exceeds counted_fraction of the highest [-].
     double peak_loss = 0.;
@@ -112,7 +113,9 @@ private:
   /// Sends the records of all facets to all ranks. Collective.
   void share_records();
   void add_gauges(const double time, const double step);
+  /// @param facet_force mean over the step [N], @param last_force at its end
   void add_forces(const dealii::Tensor<1, 3> &facet_force,
+                  const dealii::Tensor<1, 3> &last_force,
                   const std::array<double, 6> &wall_force,
                   const double step);
   /// Whether the current sample, if it included this step, would lose the peak

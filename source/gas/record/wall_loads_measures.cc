@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/gas/record/wall_loads.h>
+#include <contrecoup/io/output/load_file.h>
+
+#include <algorithm>
+#include <array>
+
+namespace contrecoup::gas
+{
+template <int dim>
+void WallLoads<dim>::write_measures()
+{
+  std::array<std::vector<double>, 4> values;
+  double highest = 0.;
+  for (const Record &record : records_)
+  {
+    const BlastMeasures measures = record.blast.measures(totals_.time);
+    values[0].push_back(measures.peak);
+    values[1].push_back(measures.impulse);
+    values[2].push_back(measures.arrival);
+    values[3].push_back(measures.duration);
+    highest = std::max(highest, measures.peak);
+  }
+  totals_.peak_loss = gauges_.largest_peak_loss();
+  for (const Record &record : records_)
+    if (record.blast.peak > counted_fraction * highest)
+      totals_.peak_loss = std::max(totals_.peak_loss,
+                                   1. - record.sample_peak / record.blast.peak);
+  io::LoadFile file(file_);
+  const char *const names[] = {"peak", "impulse", "arrival", "duration"};
+  for (unsigned int k = 0; k < 4; ++k)
+    file.write(names[k], values[k]);
+  io::LoadFile::Numbers numbers = {{"ambient_pressure_Pa", ambient_}};
+  for (const auto &values_of : {check_values(), result_values()})
+    for (const NamedValue &value : values_of)
+      numbers.emplace_back(value.name, value.value);
+  file.write(numbers);
+}
+
+
+template <int dim>
+std::vector<NamedValue> WallLoads<dim>::result_values() const
+{
+  std::vector<NamedValue> values;
+  for (unsigned int d = 0; d < dim; ++d)
+    values.push_back(
+      {std::string("loads_impulse_") + "xyz"[d],
+       is_plane_ ? "N s/m" : "N s",
+       0. + to_whole_[d] * totals_.sampled_impulse[d]}); // not -0
+  for (const NamedValue &value : gauges_.measures(totals_.time))
+    values.push_back(value);
+  return values;
+}
+
+
+template <int dim>
+std::vector<NamedValue> WallLoads<dim>::check_values() const
+{
+  const auto relative = [](const double part, const double whole) {
+    return whole > 0. ? part / whole : 0.;
+  };
+  return {{"loads_facets", "-", double(facets_.n_global())},
+          {"loads_impulse_difference",
+           "-",
+           relative((totals_.facet_impulse - totals_.gas_impulse).norm(),
+                    totals_.gas_impulse.norm())},
+          {"loads_force_difference",
+           "-",
+           relative(totals_.largest_difference, totals_.largest_force)},
+          {"loads_sampled_impulse_difference",
+           "-",
+           relative((totals_.sampled_impulse - totals_.facet_impulse).norm(),
+                    totals_.facet_impulse.norm())},
+          {"loads_sampled_peak_loss", "-", totals_.peak_loss}};
+}
+
+
+#define CONTRECOUP_INSTANTIATE(dim)                                       \
+  template void WallLoads<dim>::write_measures();                         \
+  template std::vector<NamedValue> WallLoads<dim>::result_values() const; \
+  template std::vector<NamedValue> WallLoads<dim>::check_values() const
+
+CONTRECOUP_INSTANTIATE(1);
+CONTRECOUP_INSTANTIATE(2);
+CONTRECOUP_INSTANTIATE(3);
+#undef CONTRECOUP_INSTANTIATE
+} // namespace contrecoup::gas
