@@ -879,6 +879,33 @@ class ReportTest(unittest.TestCase):
         self.expect(alone, "is unknown: the scene has no coarser run",
                     "error unknown")
 
+    def test_lungs_by_the_worse_measure(self):
+        """A load above its threshold counts where the chest wall is slow; that
+        on the skin, which is reflected, only without one in the open."""
+        def judged(name, value, *thresholds):
+            return injury_table.Judged(
+                name, value, "-", injury_thresholds.Known(
+                    name, list(thresholds), "", ""), None, "")
+        wall = judged("chest_wall_mean", 2.77, (3.6, "trace or slight injury"))
+        limit = 0.2, "threshold of lung injury"
+        skin = judged("lung_exposure_back", 0.25, limit)
+        for load, words in ((0.216, "lung injury possible"),
+                            (0.19, "no lung injury")):
+            air = judged("lung_exposure_air", load, limit)
+            found = verdict._lungs([wall, skin, air])
+            self.assertEqual(found.words, words)
+        self.assertEqual(verdict._lungs([wall, skin]).words,
+                         "lung injury possible")
+
+    def test_gauge_named_back_is_no_chest(self):
+        """A box with a gauge of that name has no lungs."""
+        box = types.SimpleNamespace(
+            facts={"person": {"description": "a shape"}}, measures=dict,
+            gauge_injury=lambda: {("lung_exposure", "back"): 0.04})
+        self.assertFalse(injury_table.has_chest(box))
+        box.facts["person"]["posture"] = "standing"
+        self.assertTrue(injury_table.has_chest(box))
+
     def test_errors_of_zero(self):
         """The coarser run bounds a measure that is zero in this one."""
         known = injury_table.Known("fraction of the brain", [], "", "")

@@ -153,24 +153,24 @@ def _levels(entry, values):
     return " to ".join(dict.fromkeys(words))
 
 
-def _loaded_lungs(judged):
-    """The load on lungs which is farthest above its threshold; None below
-    all."""
-    return max((entry for entry in judged
-                if entry.name.startswith("lung_exposure") and entry.exceeded()),
-               key=lambda entry: entry.value, default=None)
+def _load(judged):
+    """The load that tells whether lungs kill: in the open, else the reflected
+    one on the skin; None of a body without lungs."""
+    loads = [entry for entry in judged if entry.name.startswith("lung_exposure")]
+    return max(loads, default=None, key=lambda entry: (
+        entry.name == "lung_exposure_air", entry.value))
 
 
 def _lungs(judged):
     entry = injury_table.find(judged, "chest_wall_mean")
     if entry is None:
         return None
-    load = _loaded_lungs(judged)
-    if load is not None and not entry.exceeded():
+    load = _load(judged)
+    if load is not None and load.exceeded() and not entry.exceeded():
         # Of two measures the worse one counts.
         return Verdict("lungs", "lung injury possible", "mid",
-                       f"{load.short_title()}: {load.shown()}, above the "
-                       f"{load.meaning()}", load)
+                       f"load {load.shown()} of the median lethal one, above "
+                       f"the {load.meaning()}", load)
     here = _levels(entry, (entry.value, entry.value))
     detail = ""
     if entry.error is not None:
