@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <sstream>
 #include <thread>
 
 namespace contrecoup::study
@@ -66,7 +67,11 @@ namespace
   {
     const std::string path = running.folder->path();
     VariantForecast &forecast = *running.forecast;
-    forecast.text = io::read_file(path + "/output.txt");
+    // What one variant switches off another one needs.
+    std::istringstream lines(io::read_file(path + "/output.txt"));
+    for (std::string line; std::getline(lines, line);)
+      if (!contains(line, " set but not used: "))
+        forecast.text += line + "\n";
     if (end.exit_code != 0 || end.signal != 0)
       forecast.refusal = application.refusal(
         {end, "", last_line(io::read_file(path + "/errors.txt"))});
