@@ -92,17 +92,17 @@ def section(scene, judged):
         rows.append((entry.title, "–" if entry.coarser is None
                      else entry.shown(entry.coarser), entry.shown(),
                      entry.shown_error()))
+    coarser = "The coarser run has cells of twice the size" + (
+        ", and no body: your own hexahedra have no coarser mesh, and errors of "
+        "what happens in the body are unknown" if scene.has_own_mesh() else
+        "" if scene.asks_for_loads() else " and elements of 5/3 of the size")
     if not rows:
-        return page.paragraph(
-            "The coarser run has cells of twice the size; this scene has no "
-            "measure of injury whose error it could tell.")
+        return page.paragraph(coarser + ". This scene has no measure of injury "
+                              "whose error it could tell.")
     return page.table(
         ("measure", "coarser run", "this run", "estimated error"), rows,
         page.tag(
-            "span", "The coarser run has cells of twice the size"
-            + (", and no body: your own hexahedra have no coarser mesh, and "
-               "errors of what happens in the body are unknown"
-               if scene.has_own_mesh() else " and elements of 5/3 of the size")
+            "span", coarser
             + ". The estimated error is the difference of both runs over r", page.tag("sup", ORDER), " − 1 with the ratio r of "
             "the sizes, and at least 2 %. The error of a peak on the skin is "
             "at least the median over all places, since both runs may agree at "

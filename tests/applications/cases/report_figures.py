@@ -543,7 +543,7 @@ def _free_air(files):
 
 def _model_bias(files):
     """Known differences of peak and impulse from the tables, without sign."""
-    rows = {row["item"]: row for row in files.scene["plan"]}
+    rows = {row["item"]: row for row in files.scene.get("plan", [])}
     values = [(name, float(rows[f"model_bias_{name}"]["estimate"]))
               for name in ("peak", "impulse") if f"model_bias_{name}" in rows]
     return [(rf"gives this .*?an? {name} ({report_reader.NUMBER} %) "
