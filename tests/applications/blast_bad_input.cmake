@@ -36,8 +36,6 @@ blast_refuses(huge_mesh "of memory" FILE ${_sod}
   SET "Domain/Coarse leaves=1000000000")
 blast_refuses(huge_octree "of memory" FILE blast/showcase/hot_ball.prm
   SET "Domain/Initial refinement=9")
-blast_refuses(injury_without_probes "set Points, Lines or Gauge planes"
-  FILE ${_sod} SET "Probes/Injury=true")
 blast_refuses(injury_where_nobody_lives "people live at 45 to 115 kPa"
   FILE ${_sod} SET "Probes/Injury=true" "Probes/Points=0.5")
 blast_refuses(probe_outside "Probes/Points" FILE ${_sod}
@@ -53,8 +51,6 @@ blast_refuses(unknown_option "did you mean \"--output\"" FILE ${_sod}
   ARGUMENTS --outptu x)
 blast_refuses(unwritable_output "output folder" FILE ${_sod}
   OUTPUT "@FOLDER@/a_file/run")
-blast_refuses(resume_from_nothing "no complete checkpoint" FILE ${_sod}
-  ARGUMENTS --resume)
 blast_refuses(missing_mesh_file "there is no such file"
   FILE blast/extremes/rest_100000_steps.prm SET "Domain/Mesh=file"
   "Domain/Geometry=plane" "Domain/Mesh file=no_such.msh")

@@ -101,6 +101,4 @@ scene_refuses(tiny_elements "Scene/Element size: elements of 1e-09 m"
 scene_refuses(body_below_a_cell "is less than a cell of the gas, 160 mm"
   SET "Scene/Cell size=0.16" "Scene/Error estimate=false")
 scene_refuses(unknown_accuracy "balanced" SET "Scene/Accuracy=balancd")
-scene_refuses(nothing_to_resume "holds no stage of a scene"
-  ARGUMENTS "--resume")
 scene_refuses(unwritable_output "output folder" OUTPUT "@FOLDER@/a_file/run")

@@ -65,4 +65,3 @@ study_refuses(repeated_value "Values: \"20\" is there twice"
 study_refuses(ragged_table "parts between"
   SET "Vary scheme/Values=finite volume | 1")
 study_refuses(unwritable_output "output folder" OUTPUT "@FOLDER@/a_file/run")
-study_refuses(resume_from_nothing "holds no study" ARGUMENTS --resume)
