@@ -70,7 +70,7 @@ namespace
     // What one variant switches off another one needs.
     std::istringstream lines(io::read_file(path + "/output.txt"));
     for (std::string line; std::getline(lines, line);)
-      if (!contains(line, " set but not used: "))
+      if (line.find(" set but not used: ") == std::string::npos)
         forecast.text += line + "\n";
     if (end.exit_code != 0 || end.signal != 0)
       forecast.refusal = application.refusal(
