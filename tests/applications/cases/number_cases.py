@@ -159,7 +159,9 @@ def check_plan(check, screen, files):
     shown = [row for row in facts["plan"] if row["item"] in rows]
     require(len(shown) >= 8, f"--check has {len(shown)} rows of the plan")
     for row in shown:
+        # A stage names its entries without its own name.
         cells = rows[row["item"]]
+        cells += ["Blast/" + cell for cell in cells]
         for key in ("decision", "estimate", "limit", "entry"):
             # --check tells what a stage finds out in its set-up as unknown.
             require(row.get(key, "") in ("", *cells)
