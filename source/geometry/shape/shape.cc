@@ -54,7 +54,7 @@ Point<3> Shape::project(const Point<3> &point) const
 
 Point<3> Shape::nearest(const Point<3> &point) const
 {
-  constexpr double least_reach = 1e-3;
+  constexpr double least_reach = 1e-3, least_gain = 1e-9;
   Point<3> foot = project(point);
   double reach = 1.;
   while (reach > least_reach)
@@ -62,7 +62,7 @@ Point<3> Shape::nearest(const Point<3> &point) const
     const Tensor<1, 3> outward = normal(foot), offset = point - foot;
     const Tensor<1, 3> along = offset - (offset * outward) * outward;
     const Point<3> next = project(foot + reach * along);
-    if (next.distance(point) < foot.distance(point))
+    if (next.distance(point) < (1. - least_gain) * foot.distance(point))
       foot = next;
     else
       reach *= 0.5;
