@@ -1,8 +1,8 @@
 # Compiler flags. Debian's deal.II hands "-g -O2 -D_FORTIFY_SOURCE=2 ..." to its
 # users; the flags here come later and override them.
 
-option(CONTRECOUP_NATIVE
-  "Use every instruction of this processor (OFF: a portable binary)" ON)
+set(CONTRECOUP_PROCESSOR native CACHE STRING
+  "Processor to compile for, as -march names it; empty: any of its kind")
 option(CONTRECOUP_SANITIZE
   "Build with the address and undefined-behaviour sanitizers" OFF)
 
@@ -17,9 +17,11 @@ else()
   set(_false_alarms -Wno-unknown-warning-option
     -Wno-ignored-optimization-argument)
 endif()
-set(_common -Wall -Wextra -Wno-psabi ${_false_alarms} -U_FORTIFY_SOURCE)
-if(CONTRECOUP_NATIVE)
-  list(APPEND _common -march=native)
+set(_common -Wall -Wextra -Wno-psabi ${_false_alarms} -U_FORTIFY_SOURCE
+  # Programs share the precompiled header of the libraries, and so their -fPIC.
+  -fPIC -fno-semantic-interposition)
+if(CONTRECOUP_PROCESSOR)
+  list(APPEND _common -march=${CONTRECOUP_PROCESSOR})
 endif()
 # The sanitized build is made from Release, against deal.II's release library:
 # Debug takes many times as long to compile and to run. The checks before each

@@ -1,12 +1,18 @@
 # contrecoup_add_layer(<name> SOURCES ... [DEPENDS <lower layer>...])
 #
-# One static library per layer, contrecoup_<name>. The precompiled header is
-# compiled once, by the lowest layer.
+# One shared library per layer, contrecoup_<name>, in build/lib; a program need
+# not be linked again where only the inside of a layer changes. The precompiled
+# header is compiled once, by the lowest layer.
 function(contrecoup_add_layer name)
   cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS" ${ARGN})
   set(target contrecoup_${name})
-  add_library(${target} STATIC ${ARG_SOURCES})
+  add_library(${target} SHARED ${ARG_SOURCES})
   contrecoup_setup_target(${target})
+  # Without the macro that CMake defines in each shared library: sources that
+  # have another one could not take the precompiled header.
+  set_target_properties(${target} PROPERTIES DEFINE_SYMBOL ""
+    LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/lib)
+  target_link_options(${target} PRIVATE -Wl,--no-undefined)
   foreach(_lower ${ARG_DEPENDS})
     target_link_libraries(${target} contrecoup_${_lower})
   endforeach()

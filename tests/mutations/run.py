@@ -239,7 +239,7 @@ class Copy:
         for here, _, files in os.walk(self.build):
             for name in files:
                 path = os.path.join(here, name)
-                is_built = name.endswith((".o", ".a", ".gch")) or (
+                is_built = name.endswith((".o", ".a", ".so", ".gch")) or (
                     "." not in name and os.access(path, os.X_OK))
                 if is_built and os.stat(path).st_mtime >= begin:
                     os.remove(path)

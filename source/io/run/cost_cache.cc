@@ -5,8 +5,10 @@
 #include <contrecoup/io/file/checked_file.h>
 #include <contrecoup/io/run/cost_cache.h>
 
+#include <link.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -31,13 +33,24 @@ namespace io
       return "";
     }
 
-    /// Version and modification time of the running program.
+    /// Version, and modification time of the newest of program and libraries.
     std::string build()
     {
-      std::error_code ignored;
-      const auto made = fs::last_write_time("/proc/self/exe", ignored);
+      fs::file_time_type newest = fs::file_time_type::min();
+      dl_iterate_phdr(
+        [](dl_phdr_info *const loaded, std::size_t, void *const time) {
+          const std::string name = loaded->dlpi_name;
+          std::error_code error;
+          const auto made =
+            fs::last_write_time(name.empty() ? "/proc/self/exe" : name, error);
+          auto &latest = *static_cast<fs::file_time_type *>(time);
+          if (!error)
+            latest = std::max(latest, made);
+          return 0;
+        },
+        &newest);
       return version() + " " + git_revision() + " " +
-             std::to_string(made.time_since_epoch().count());
+             std::to_string(newest.time_since_epoch().count());
     }
 
     std::string folder()
