@@ -16,13 +16,13 @@ contrecoup_add_application_test(body_loads facet_loads FILE ${_cylinder}
   SET ${_loads}
   BOUNDS "status == finished" "checks.loads_impulse_difference < 6.1e-4"
     "checks.loads_force_difference < 3.1e-3"
-    "checks.loads_sampled_peak_loss < 3.52e-3" "file_difference < 9.05e-4")
+    "checks.loads_sampled_peak_loss < 2.64e-4" "file_difference < 2.2e-10")
 contrecoup_add_application_test(body_loads_on_2 facet_loads FILE ${_cylinder}
   MPI 2 SET ${_loads} "Domain/Coarse leaves=3, 4"
     "Domain/Lower corner=-1.5, -2" "Boundaries/y low=open"
   BOUNDS "status == finished" "checks.loads_impulse_difference < 7.1e-4"
     "checks.loads_force_difference < 3.7e-3"
-    "checks.loads_sampled_peak_loss < 3.7e-3" "file_difference < 9.7e-4")
+    "checks.loads_sampled_peak_loss < 3.7e-3" "file_difference < 1e-8")
 
 # Half a cylinder has the loads of the whole one, and half of its gas.
 contrecoup_add_application_test(body_whole whole_body FILE ${_cylinder}

@@ -144,6 +144,11 @@ TEST(RecordedLoads, RecordedFromArrival)
   EXPECT_NEAR(loads->pressure(0), 200., 1e-6);
   loads->set_time(1.0015);
   EXPECT_NEAR(loads->pressure(0), 400., 1e-6);
+  // A front that rises at the end of the record has its pressure until then.
+  loads->set_time(1.0029);
+  EXPECT_NEAR(loads->pressure(0), 200., 1e-6);
+  loads->set_time(1.0031);
+  EXPECT_EQ(loads->pressure(0), 0.);
   EXPECT_NEAR(audited(*loads, "loads_recorded_impulse_x"), 0.6, 1e-9);
   std::filesystem::remove(file);
 }

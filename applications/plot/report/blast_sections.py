@@ -361,9 +361,6 @@ def conservation(scene):
             ("loads_force_difference", "force on the body: recorded on the "
              "facets against momentum lost by the gas, root mean square over "
              "time"),
-            ("loads_sampled_impulse_difference", "impulse on the body: recorded "
-             "samples, which take pressures at the ends of steps, against the "
-             "facets"),
             ("loads_sampled_peak_loss", "peak on the worst facet or gauge: "
              "fraction missed by the recorded samples")):
         value = scene.blast.found("checks", name)

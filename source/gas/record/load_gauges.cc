@@ -213,6 +213,13 @@ void LoadGauges::reinit(const std::vector<double> &geometry,
 }
 
 
+void LoadGauges::begin_step(const double step)
+{
+  for (Record &record : records_)
+    record.sum += 0.5 * step * record.last;
+}
+
+
 void LoadGauges::add(const std::vector<double> &overpressures,
                      const double time,
                      const double step,
@@ -224,7 +231,7 @@ void LoadGauges::add(const std::vector<double> &overpressures,
     if (overpressures[i] > record.blast.peak)
       record.peak_time = time;
     record.blast.add(overpressures[i], time, step, smallest);
-    record.sum += 0.5 * (record.last + overpressures[i]) * step;
+    record.sum += 0.5 * step * overpressures[i];
     record.last = overpressures[i];
   }
 }

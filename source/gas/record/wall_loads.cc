@@ -138,12 +138,8 @@ void WallLoads<dim>::add_step(const GasSnapshot<dim> &gas)
   const double smallest = BlastRecord<double>::threshold * ambient_;
   totals_.time = time;
   pressures_ = facets_.overpressures(gas, ambient_);
-  if (is_waiting() && has_arrived())
-    begin_samples(time - step, step);
-  const bool is_peak = !is_waiting() && loses_peaks(time, step);
-  if (is_peak && time - step > totals_.sample_begin)
-    end_sample(time - step);
-  dealii::Tensor<1, 3> force, last_force;
+  begin_step(time - 0.5 * step, step);
+  dealii::Tensor<1, 3> force;
   for (std::size_t i = 0; i < pressures_.size(); ++i)
   {
     const auto &facet = facets_.owned()[i];
@@ -151,18 +147,33 @@ void WallLoads<dim>::add_step(const GasSnapshot<dim> &gas)
     record.blast.add(pressures_[i], time, step, smallest);
     // Mean over the step: of the values at its begin and end.
     for (unsigned int d = 0; d < dim; ++d)
-    {
       force[d] += 0.5 * (record.last + pressures_[i]) * facet.area[d];
-      last_force[d] += pressures_[i] * facet.area[d];
-    }
     record.last = pressures_[i];
-    record.sum += pressures_[i] * step;
+    record.sum += 0.5 * step * pressures_[i];
   }
   add_gauges(time, step);
-  add_forces(force, last_force, gas.wall_force, step);
-  const double duration = time - totals_.sample_begin;
-  if (is_peak || (!is_waiting() && duration >= interval_ * (1. - 1e-9)))
-    end_sample(time);
+  add_forces(force, gas.wall_force, step);
+}
+
+
+template <int dim>
+void WallLoads<dim>::begin_step(const double middle, const double step)
+{
+  for (const auto &facet : facets_.owned())
+  {
+    Record &record = records_[facet.number];
+    record.sum += 0.5 * step * record.last;
+  }
+  gauges_.begin_step(step);
+  if (is_waiting())
+  {
+    if (has_arrived())
+      begin_samples(middle, step);
+    return;
+  }
+  const bool is_peak = loses_peaks(middle, step);
+  if (is_peak || middle - totals_.sample_begin >= interval_ * (1. - 1e-9))
+    end_sample(middle);
 }
 
 
@@ -178,14 +189,14 @@ bool WallLoads<dim>::has_arrived() const
 
 
 template <int dim>
-bool WallLoads<dim>::loses_peaks(const double time, const double step)
+bool WallLoads<dim>::loses_peaks(const double middle, const double step)
 {
   if (largest_loss_ >= 1.)
     return false;
   // Half of the allowed loss: the rest covers the round-off of single precision
   // and slow rises that a sample ends.
   const double threshold = 1. - 0.5 * largest_loss_;
-  const double duration = time - totals_.sample_begin;
+  const double duration = middle - totals_.sample_begin;
   double loses = 0.;
   for (std::size_t i = 0; i < pressures_.size(); ++i)
   {
@@ -195,10 +206,14 @@ bool WallLoads<dim>::loses_peaks(const double time, const double step)
     if (peak <= counted_fraction * totals_.highest ||
         record.sample_peak >= threshold * peak)
       continue;
-    // The peak lies in the current sample or in this step.
-    const double before = duration > step ? record.sum / (duration - step) : 0.;
-    const double after = (record.sum + now * step) / duration;
-    if (after < threshold * peak && std::max(before, now) >= threshold * peak)
+    // The peak lies in the current sample or at the end of this step, which
+    // counts for half of it if the run ends there, else for all.
+    const double before = record.sum / duration;
+    const auto after = [&](const double length) {
+      return (record.sum + now * length) / (duration + length);
+    };
+    if (std::min(after(0.5 * step), after(step)) < threshold * peak &&
+        std::max(before, now) >= threshold * peak)
       loses = 1.;
   }
   std::vector<double> largest = {loses, totals_.highest};
@@ -222,16 +237,14 @@ void WallLoads<dim>::add_gauges(const double time, const double step)
 
 template <int dim>
 void WallLoads<dim>::add_forces(const dealii::Tensor<1, 3> &facet_force,
-                                const dealii::Tensor<1, 3> &last_force,
                                 const std::array<double, 6> &wall_force,
                                 const double step)
 {
-  std::vector<double> sums(9);
+  std::vector<double> sums(6);
   for (unsigned int d = 0; d < 3; ++d)
   {
     sums[d] = facet_force[d];
     sums[3 + d] = wall_force[d] - ambient_ * wall_force[3 + d];
-    sums[6 + d] = last_force[d];
   }
   dealii::Utilities::MPI::sum(sums, communicator_, sums);
   dealii::Tensor<1, 3> facets, gas;
@@ -240,7 +253,6 @@ void WallLoads<dim>::add_forces(const dealii::Tensor<1, 3> &facet_force,
     facets[d] = sums[d];
     gas[d] = sums[3 + d];
     totals_.facet_impulse[d] += step * facets[d];
-    totals_.sampled_impulse[d] += step * sums[6 + d];
     totals_.gas_impulse[d] += step * gas[d];
   }
   totals_.largest_force = std::max(totals_.largest_force, gas.norm());
@@ -250,17 +262,16 @@ void WallLoads<dim>::add_forces(const dealii::Tensor<1, 3> &facet_force,
 
 
 template <int dim>
-void WallLoads<dim>::begin_samples(const double time, const double step)
+void WallLoads<dim>::begin_samples(const double middle, const double step)
 {
   // The last sample before the arrival is as short as the following ones, so
   // that linear interpolation between midpoints of samples is zero until then.
   const double length = std::max(interval_, step);
   const double round_off = 1e-9 * length;
   totals_.sample_begin = 0.;
-  if (time - length > round_off)
-    end_sample(time - length);
-  if (time > round_off)
-    end_sample(time);
+  if (middle - length > round_off)
+    end_sample(middle - length);
+  end_sample(middle);
 }
 
 

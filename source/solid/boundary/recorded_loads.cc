@@ -192,15 +192,16 @@ void RecordedLoads::set_time(const double time)
     return i == 0 ? 0.5 * ends[0] : 0.5 * (ends[i - 1] + ends[i]);
   };
   // The load is zero before the first and after the last sample.
-  after_ = std::upper_bound(ends.begin(), ends.end(), now) - ends.begin();
-  if (after_ < ends.size() && middle(after_) <= now)
-    ++after_;
-  is_loaded_ = after_ < ends.size() ? 1. : 0.;
+  is_loaded_ = now <= ends.back() ? 1. : 0.;
   if (is_loaded_ == 0.)
     return;
+  after_ = std::upper_bound(ends.begin(), ends.end() - 1, now) - ends.begin();
+  if (after_ + 1 < ends.size() && middle(after_) <= now)
+    ++after_;
   before_ = after_ == 0 ? 0 : after_ - 1;
   const double begin = after_ == 0 ? 0. : middle(before_);
-  weight_ = (now - begin) / (middle(after_) - begin);
+  // The last sample holds from its middle to its end.
+  weight_ = std::min(1., (now - begin) / (middle(after_) - begin));
   if (before_ < first_ || after_ >= first_ + count_)
   {
     first_ = before_;

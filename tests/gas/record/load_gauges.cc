@@ -208,6 +208,7 @@ TEST(LoadGauges, WriteWhatTheLoadsWouldDoToAPerson)
     {
       const double x = (i + 1) * step / 5e-3;
       const double pressure = 200e3 * (1. - x) * std::exp(-x);
+      gauges.begin_step(step);
       gauges.add({pressure, pressure, pressure}, (i + 1) * step, step, 1.);
       gauges.end_sample((i + 1) * step, step, true);
     }

@@ -71,7 +71,11 @@ public:
     return sums;
   }
 
-  /// Adds the overpressures of all gauges at the end of a step [Pa].
+  /// Adds the last overpressures to the current sample, until the middle of a
+  /// step.
+  void begin_step(const double step);
+
+  /// Adds the overpressures of all gauges at the end of this step [Pa].
   /// @param smallest overpressure below which no blast has arrived [Pa]
   void add(const std::vector<double> &overpressures,
            const double time,

@@ -15,6 +15,10 @@ namespace contrecoup::gas
  * arrives at the first facet; the first sample is the mean over all time
  * before.
  *
+ * Pressures at the ends of steps count from the middle of their step to that of
+ * the next one, and samples end at such middles: a sample of a single step has
+ * its pressure, at its time, and the impulse is that of the trapezoidal rule.
+ *
  * Facets are those of the modelled part of the body; the audit compares their
  * force and impulse with the force that the
  * scheme exerts on the gas. In the staircase treatment a facet takes one
@@ -98,9 +102,8 @@ private:
   {
     double sample_begin = -1.; ///< [s]; negative before the arrival
     double n_times = 0.;       ///< number of samples in the file
-    /// Of the facets, of the samples, which take pressures at the ends of
-    /// steps, and of the gas [N s].
-    dealii::Tensor<1, 3> facet_impulse, sampled_impulse, gas_impulse;
+    dealii::Tensor<1, 3> facet_impulse; ///< also that of the samples [N s]
+    dealii::Tensor<1, 3> gas_impulse;   ///< [N s]
     double largest_force = 0.;      ///< [N]
     double largest_difference = 0.; ///< between facets and gas [N]
     double time = 0.;               ///< [s]
@@ -113,14 +116,16 @@ private:
   /// Sends the records of all facets to all ranks. Collective.
   void share_records();
   void add_gauges(const double time, const double step);
-  /// @param facet_force mean over the step [N], @param last_force at its end
+  /// @param facet_force mean over the step [N]
   void add_forces(const dealii::Tensor<1, 3> &facet_force,
-                  const dealii::Tensor<1, 3> &last_force,
                   const std::array<double, 6> &wall_force,
                   const double step);
-  /// Whether the current sample, if it included this step, would lose the peak
-  /// of a facet in its mean. Collective.
-  bool loses_peaks(const double time, const double step);
+  /// Adds the last pressures until @p middle of the step, and ends the sample
+  /// there if it is to end. Collective.
+  void begin_step(const double middle, const double step);
+  /// Whether the current sample, if it included the present pressures, would
+  /// lose the peak of a facet in its mean. Collective.
+  bool loses_peaks(const double middle, const double step);
   /// Whether the wave has not yet arrived at any facet.
   bool is_waiting() const
   {
@@ -129,8 +134,8 @@ private:
   /// Whether the wave has arrived at a facet by the present pressures.
   /// Collective.
   bool has_arrived() const;
-  /// Writes the samples before the arrival in the step that begins at @p time.
-  void begin_samples(const double time, const double step);
+  /// Writes the samples before the arrival in a step of length @p step.
+  void begin_samples(const double middle, const double step);
   void end_sample(const double time);
   void create_file() const;
   void write_measures();
