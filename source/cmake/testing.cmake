@@ -8,16 +8,11 @@ if(NOT DEFINED Python3_EXECUTABLE AND EXISTS /usr/bin/python3)
 endif()
 find_package(Python3 REQUIRED COMPONENTS Interpreter)
 
-# Seconds that each test of half a second and more takes, recorded by
-# tests/record_times.py: the longest start first, and time limits follow from
-# these times.
-set(_times ${PROJECT_SOURCE_DIR}/tests/times.csv)
-set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${_times})
-file(STRINGS ${_times} _lines REGEX "^[a-z].*,[0-9.]+$")
-foreach(_line ${_lines})
-  string(REGEX MATCH "^(.*),([0-9.]+)$" _line ${_line})
-  set(CONTRECOUP_SECONDS_${CMAKE_MATCH_1} ${CMAKE_MATCH_2})
-endforeach()
+# Tests start in the order of the times that ctest itself keeps in the build folder;
+# before the first run, in the order of their time limits.
+if(EXISTS ${PROJECT_BINARY_DIR}/Testing/Temporary/CTestCostData.txt)
+  set(CONTRECOUP_KNOWS_TIMES ON)
+endif()
 
 # Open MPI 5 has the names that begin with PRTE.
 set(CONTRECOUP_TEST_ENVIRONMENT
@@ -121,22 +116,12 @@ endfunction()
 # _contrecoup_register_test(<name> RANKS <n> [TIMEOUT <s>] LABELS ...
 #   COMMAND ...): add_test with the environment and properties of all tests.
 #
-# The time limit ends tests that hang: ten times the time of the test alone, a
-# minute at least, ten where that time is not known.
+# The time limit ends tests that hang. Give those a longer one that take long:
+# from nothing they start first.
 function(_contrecoup_register_test name)
   cmake_parse_arguments(ARG "" "RANKS;TIMEOUT" "LABELS;COMMAND" ${ARGN})
-  set(_seconds 0)
-  if(DEFINED CONTRECOUP_SECONDS_${name})
-    set(_seconds ${CONTRECOUP_SECONDS_${name}})
-  endif()
   if(NOT ARG_TIMEOUT)
-    string(REGEX REPLACE "[.].*" "" _whole ${_seconds})
-    math(EXPR ARG_TIMEOUT "10 * (${_whole} + 1)")
-    if(NOT DEFINED CONTRECOUP_SECONDS_${name})
-      set(ARG_TIMEOUT 600)
-    elseif(ARG_TIMEOUT LESS 120)
-      set(ARG_TIMEOUT 120)
-    endif()
+    set(ARG_TIMEOUT 600)
   endif()
   math(EXPR ARG_TIMEOUT "${CONTRECOUP_TIMEOUT_FACTOR} * ${ARG_TIMEOUT}")
   if(NOT ARG_RANKS)
@@ -147,10 +132,12 @@ function(_contrecoup_register_test name)
   set_tests_properties(${name} PROPERTIES
     ENVIRONMENT "${CONTRECOUP_TEST_ENVIRONMENT}"
     PROCESSORS ${ARG_RANKS}
-    COST ${_seconds}
     TIMEOUT ${ARG_TIMEOUT}
     SKIP_RETURN_CODE 77
     LABELS "${ARG_LABELS}")
+  if(NOT CONTRECOUP_KNOWS_TIMES)
+    set_tests_properties(${name} PROPERTIES COST ${ARG_TIMEOUT})
+  endif()
 endfunction()
 
 # contrecoup_add_application_test(<name> <kind>[,<kind>...]
@@ -204,7 +191,9 @@ endfunction()
 #                 regular reflection of a blast from that height ends
 #   refusal       MESSAGE <text> [EXIT <code>] [OUTPUT <folder>] [CONTENT
 #                 <lines appended to the file>] [ARGUMENTS ...]: bad input;
-#                 @FOLDER@ in OUTPUT is a folder that has a file named a_file
+#                 @FOLDER@ in OUTPUT is a folder that has a file named a_file.
+#                 All of an application are one ctest, <application>_refusals;
+#                 CONTRECOUP_ONLY=<name> in the environment makes it try one
 #   failure       EXIT <code> MESSAGE <text>: a run that fails keeps its last
 #                 checkpoint, fails again when resumed, and with ARGUMENTS ends
 #   damaged_checkpoint, foreign_checkpoint (OTHER_FILE or ARGUMENTS): refused
@@ -285,6 +274,10 @@ ERROR;ORDER;HEIGHT;ANGLE"
       list(APPEND _options "--${_option}=${_value}")
     endforeach()
   endforeach()
+  if(kind STREQUAL "refusal")
+    _contrecoup_add_refusal(${_application} "${_options}")
+    return()
+  endif()
   string(REPLACE "," ";" _labels ${kind})
   _contrecoup_register_test(${_test} RANKS ${_ranks} TIMEOUT ${ARG_TIMEOUT}
     LABELS ${_labels} ${ARG_LABELS}
@@ -292,9 +285,31 @@ ERROR;ORDER;HEIGHT;ANGLE"
       ${PROJECT_SOURCE_DIR}/tests/applications/run_case.py ${kind} ${_options})
 endfunction()
 
+# Puts the words of one refusal, as a list of JSON, where the following function
+# finds them.
+function(_contrecoup_add_refusal application words)
+  string(REPLACE "\\" "\\\\" words "${words}")
+  string(REPLACE "\"" "\\\"" words "${words}")
+  string(REPLACE "\n" "\\n" words "${words}")
+  list(JOIN words "\", \"" words)
+  set_property(GLOBAL APPEND PROPERTY CONTRECOUP_REFUSALS_${application}
+    "[\"${words}\"]")
+endfunction()
+
+# contrecoup_add_refusals(<application>): the test <application>_refusals, that it
+# refuses all bad input that tests of the kind refusal named before.
+function(contrecoup_add_refusals application)
+  get_property(_refusals GLOBAL PROPERTY CONTRECOUP_REFUSALS_${application})
+  list(JOIN _refusals ",\n" _refusals)
+  set(_table ${CMAKE_CURRENT_BINARY_DIR}/${application}_refusals.json)
+  file(GENERATE OUTPUT ${_table} CONTENT "[${_refusals}]\n")
+  contrecoup_add_application_test(refusals refusals FILE ${application}/quickstart.prm
+    ARGUMENTS ${_table} TIMEOUT 1200)
+endfunction()
+
 # contrecoup_check_parameter_files(<application> [NEEDS ...]): the test
 # <application>_check_files, that --check accepts each of its parameter files.
 function(contrecoup_check_parameter_files application)
   contrecoup_add_application_test(check_files check_files
-    FILE ${application}/quickstart.prm ${ARGN})
+    FILE ${application}/quickstart.prm TIMEOUT 900 ${ARGN})
 endfunction()

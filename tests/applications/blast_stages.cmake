@@ -73,7 +73,7 @@ set(_outside_5 "Adaptation/Limit farther/Shape=outside of ball"
 # 2 m, in cells of 5 mm to there, of 10 mm to 5 m and of 20 mm beyond: peaks differ by
 # 3.2 %, impulses and arrivals by 1.5 %. Nearer to the charge, of ten cells in radius,
 # it is cells along a radius and across it that differ, by up to 11 %.
-contrecoup_add_application_test(gauge_lines gauge_lines
+contrecoup_add_application_test(gauge_lines gauge_lines TIMEOUT 1200
   FILE blast/showcase/people.prm VARY "First stage/Kind=none|spherical"
   SET "Charges/Charge 1/Mass=1" "Boundaries/y low=symmetry"
     "Domain/Upper corner=10.24, 10.24" "Domain/Coarse leaves=8, 8"

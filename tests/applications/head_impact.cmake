@@ -486,9 +486,7 @@ contrecoup_add_application_test(refuses_material_without_region refusal
 contrecoup_add_application_test(refuses_side_that_is_round refusal
   FILE head_impact/quickstart.prm SET ${_of_file} "Mesh/Symmetry planes=x"
   MESSAGE "a mesh that is cut there has 50 % at least")
-set_tests_properties(head_impact_voxel_head
-  head_impact_refuses_material_without_region head_impact_refuses_side_that_is_round
-  PROPERTIES FIXTURES_REQUIRED head_mesh)
+set_tests_properties(head_impact_voxel_head PROPERTIES FIXTURES_REQUIRED head_mesh)
 
 # The report of such a head.
 contrecoup_add_application_test(voxel_head_report bounds,pictures

@@ -35,8 +35,7 @@ import scene_cases
 import study_cases
 from case import (Case, Failed, Skipped, check_bound, check_finite,
                   checkpoints, compare_arrays, compare_bytes, compare_numbers,
-                  expand, look_up, read_json, read_summary, say_core_seconds,
-                  snapshot)
+                  expand, look_up, read_json, read_summary, snapshot)
 from summaries import flaw_of
 
 
@@ -342,6 +341,26 @@ def refusal(case):
         raise Failed(f"{output} was written: {os.listdir(output)}")
 
 
+def refusals(case):
+    """All refusals of an application, which the JSON file of --argument lists as
+    words of run_case.py; CONTRECOUP_ONLY in the environment is part of the names
+    of those to try."""
+    chosen = os.environ.get("CONTRECOUP_ONLY", "")
+    with open(case.options.argument[0], encoding="utf-8") as file:
+        tried = [options for words in json.load(file)
+                 for options in [parse(["refusal", *words])]
+                 if chosen in options.name]
+    failed = []
+    for options in tried:
+        name, options.name = options.name, case.folder(options.name)
+        print(f"---- {name}", flush=True)
+        if prove(Case(options), "refusal") != 0:
+            failed.append(name)
+    print(f"---- {len(tried)} refusals, {len(failed)} failed")
+    if failed or not tried:
+        raise Failed(", ".join(failed) or f"no name has '{chosen}'")
+
+
 def damaged_checkpoint(case):
     """A truncated checkpoint is refused in one line, and nothing changes."""
     output = case.folder("run")
@@ -370,7 +389,7 @@ def foreign_checkpoint(case):
 
 KINDS = {kind.__name__: kind for kind in
          (schema, bounds, regression, ranks, same, convergence, check_files, stem,
-          wedge, reflection, refusal, failure, damaged_checkpoint,
+          wedge, reflection, refusal, refusals, failure, damaged_checkpoint,
           foreign_checkpoint)}
 for module in (resume_cases, machine_cases, picture_cases, field_cases,
                study_cases, cost_cases, load_cases, folder_cases, scene_cases,
@@ -446,7 +465,6 @@ def main(arguments):
         full_disk.enter_namespace()
     case = Case(options)
     codes = [prove(case, kind) for kind in options.kinds]
-    say_core_seconds()
     return 1 if 1 in codes else max(codes)
 
 

@@ -6,7 +6,7 @@ set(_head scene/verification/head.prm)
 # bounds of the injuries are those of the library's tissues. The strain, below all
 # published thresholds, is above the first one of the user.
 set(_scalp "Tissues/Tissue scalp")
-contrecoup_add_application_test(stages scene_run FILE ${_head}
+contrecoup_add_application_test(stages scene_run FILE ${_head} TIMEOUT 900
   SET "Blast/Output/Fields interval=5e-4"
   "Biomechanics/Output/Fields interval=5e-4"
   "Body/Shape/Tissues=brain, cerebrospinal fluid, skeleton, scalp"
@@ -29,7 +29,7 @@ set(_brief "Scene/Accuracy=first look" "Scene/Cell size=0.04"
 # Loads, probes, injuries and fields are those of an earlier run; quantities that
 # are zero by symmetry are compared absolutely. Checkpoints let killed runs resume.
 contrecoup_add_application_test(runs scene_ranks,regression,scene_sigkill
-  FILE ${_head} RANKS 2 4 CORES 1
+  FILE ${_head} RANKS 2 4 CORES 1 TIMEOUT 1800
   SET ${_brief} "Biomechanics/Elements/Precision=double"
     "Blast/Method/Precision=double" "Blast/Output/Fields=false"
     "Biomechanics/Output/Fields interval=1e-3"
@@ -50,7 +50,7 @@ contrecoup_add_application_test(runs scene_ranks,regression,scene_sigkill
 # follow. Elements of 6 mm are too
 # large for the default limit of the energy audit with one point of integration.
 contrecoup_add_application_test(single_runs scene_ranks,scene_parallel_sigkill
-  FILE ${_head} RANKS 2 3 7 CORES 3 SET ${_brief} "Scene/Element size=0.006"
+  FILE ${_head} RANKS 2 3 7 CORES 3 TIMEOUT 900 SET ${_brief} "Scene/Element size=0.006"
     "Scene/End time=0.001" "Blast/Output/Fields=false"
     "Biomechanics/Output/Fields=false" "Blast/Output/Checkpoint every steps=10"
     "Biomechanics/Output/Checkpoint every steps=50"

@@ -7,6 +7,7 @@ process, which has read all modules before."""
 
 import contextlib
 import importlib.util
+import json
 import multiprocessing
 import os
 import subprocess
@@ -174,6 +175,22 @@ class JudgementTest(SelfTest):
         self.rejects("2 lines", *options, flaw="wordy")
         self.rejects("lacks", *options, "--message=not this")
         self.rejects("exit code 0", "refusal", "--message=")
+        program = "--application=" + os.path.join(HERE, "stand_ins", self.program)
+        table = [["--name=decay_refuses_" + name, program, "--file=decay.prm",
+                  "--set=" + entry, "--message=" + message]
+                 for name, entry, message in (
+                     ("stops", "Stops=5", "unknown entry 'Stops'"),
+                     ("time", "Stops=5", "must be positive"))]
+        self.write("table.json", json.dumps(table[:1]))
+        self.accepts("refusals", "--argument=table.json")
+        self.write("table.json", json.dumps(table))
+        self.rejects("2 refusals, 1 failed", "refusals", "--argument=table.json")
+        self.rejects("FAILED: refusals: decay_refuses_time\n", "refusals",
+                     "--argument=table.json")
+        self.environment["CONTRECOUP_ONLY"] = "_stops"
+        self.accepts("refusals", "--argument=table.json")
+        self.environment["CONTRECOUP_ONLY"] = "no_such"
+        self.rejects("no name has", "refusals", "--argument=table.json")
         self.accepts("refusal", "--message=unknown entry 'Stops'",
                      "--content=Stops=1")
 

@@ -18,7 +18,7 @@ contrecoup_add_application_test(storage study_storage FILE ${_study})
 contrecoup_add_application_test(quota study_quota FILE ${_study} RANKS 3)
 
 # Files of other kinds.
-contrecoup_add_application_test(any_file study_any_file FILE ${_study}
+contrecoup_add_application_test(any_file study_any_file FILE ${_study} TIMEOUT 900
   OTHER_FILE blast/verification)
 
 # A series of scenes over distance, in cells of 80 mm and elements of 30 mm.
