@@ -19,11 +19,6 @@ import sys
 
 import head_cases
 
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)),
-                                "cases"))
-
-from case import say_core_seconds  # noqa: E402 (after its path)
-
 FOLDER = "input_cases"
 SCENE = "scene/quickstart.prm"
 SOD = "blast/verification/sod.prm"
@@ -610,7 +605,6 @@ def main(programs, repository):
                               ("with all entries", judge_dump(program))):
             judge(f"{application} {case}", None, verdict)
     print("\n".join(problems) or f"all {count} cases are as wanted")
-    say_core_seconds()
     return 1 if problems else 0
 
 

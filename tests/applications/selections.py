@@ -25,7 +25,7 @@ ROOT = os.path.dirname(os.path.dirname(os.path.dirname(
     os.path.abspath(__file__))))
 sys.path.insert(0, os.path.join(ROOT, "tests", "applications", "cases"))
 
-from case import overrides, say_core_seconds  # noqa: E402 (after their path)
+from case import overrides  # noqa: E402 (after their path)
 from nifti import write_labels  # noqa: E402
 
 FILES = os.path.join(ROOT, "parameter_files")
@@ -373,7 +373,6 @@ def main():
             wrong.append(f"--check wrote {os.listdir(here)}")
     for line in wrong:
         print(line)
-    say_core_seconds()
     return 1 if wrong else 0
 
 

@@ -29,7 +29,7 @@ ROOT = os.path.dirname(os.path.dirname(os.path.dirname(
     os.path.abspath(__file__))))
 sys.path.insert(0, os.path.join(ROOT, "tests", "applications", "cases"))
 
-from case import overrides, read_json, say_core_seconds  # noqa: E402
+from case import overrides, read_json  # noqa: E402
 from nifti import write_labels  # noqa: E402
 
 FACTORS = {"cells": 1.3, "steps": 1.5, "memory_bytes": 1.3,
@@ -267,7 +267,6 @@ def main():
             wrong.append(f"{case.name}: {failure}: {failure.stderr or ''}")
     for line in wrong:
         print(line)
-    say_core_seconds()
     return 1 if wrong or not cases else 0
 
 

@@ -6,7 +6,6 @@ import json
 import math
 import os
 import re
-import resource
 import shutil
 import subprocess
 
@@ -101,12 +100,6 @@ class Case:
 def overrides(settings):
     """Words of a command that set "Section/Entry=value" each."""
     return [word for setting in settings for word in ("--set", setting)]
-
-
-def say_core_seconds():
-    """Of all processes that this one has started, for record_times.py."""
-    used = resource.getrusage(resource.RUSAGE_CHILDREN)
-    print(f"core seconds: {used.ru_utime + used.ru_stime:.1f}")
 
 
 def read_bytes(*names):
