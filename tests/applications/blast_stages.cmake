@@ -25,6 +25,9 @@ foreach(_ranks 1 2)
     BOUNDS "status == finished" ${_closed}
     "checks.hand_over_radius > 0.59")
 endforeach()
+contrecoup_add_application_test(first_stage_alone bounds ${_free_air}
+  SET ${_quick} "Time/End time=1e-5"
+  BOUNDS "status == finished" MESSAGE "has ended in its first stage")
 contrecoup_add_application_test(stages_runs ranks,resume ${_free_air}
   SET ${_quick} "Time/Largest number of steps=230" CORES 1
   STOP_AFTER 40 210

@@ -98,6 +98,10 @@ scene_refuses(unrecorded_loads "Blast/Loads/Record must be true"
   SET "Blast/Loads/Record=no")
 scene_refuses(tiny_elements "Scene/Element size: elements of 1e-09 m"
   SET "Scene/Element size=1e-9")
+scene_refuses(huge_elements "no element of 500 mm has its centre in the body"
+  SET "Scene/Element size=0.5")
+scene_refuses(empty_support "selects no place in the body"
+  SET "Biomechanics/Supports/Support far/Where=x > 5")
 scene_refuses(body_below_a_cell "is less than a cell of the gas, 160 mm"
   SET "Scene/Cell size=0.16" "Scene/Error estimate=false")
 scene_refuses(unknown_accuracy "balanced" SET "Scene/Accuracy=balancd")

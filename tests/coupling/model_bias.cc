@@ -31,6 +31,7 @@ TEST(ModelBias, IsKnownForAllExplosivesOfTheLibrary)
       const ModelBias bias = model_bias(scene_of(name, 1.), distance);
       EXPECT_LT(std::abs(bias.peak), 0.4) << name;
       EXPECT_LT(std::abs(bias.impulse), 0.4) << name;
+      EXPECT_LT(std::abs(bias.duration), 0.6) << name;
     }
 }
 
@@ -62,5 +63,6 @@ TEST(ModelBias, IsUnknownForWhatWasNotMeasured)
   scene = scene_of("tnt", 1.);
   scene.custom_entries = {{"Like", "tnt"}};
   EXPECT_TRUE(std::isnan(model_bias(scene, 2.).peak));
-  EXPECT_EQ(in_words({-0.034, 0.125}), "peak -3 %, impulse +13 %");
+  EXPECT_EQ(in_words({-0.034, 0.125, -0.38}),
+            "peak -3 %, impulse +13 %, duration -38 %");
 }

@@ -794,15 +794,16 @@ class ReportTest(unittest.TestCase):
     def test_model_bias(self):
         """Is told with its sign, and not where it was not measured."""
         rows = [{"item": "model_bias_peak", "estimate": "-0.05"},
-                {"item": "model_bias_impulse", "estimate": "0.078"}]
+                {"item": "model_bias_impulse", "estimate": "0.078"},
+                {"item": "model_bias_duration", "estimate": "-0.38"}]
         for known in (rows, []):
             scene = types.SimpleNamespace(list_of=lambda _: known)
             told = " ".join(headline._model_bias(scene)).replace("\xa0", " ")
             self.assertEqual(bool(told), bool(known))
         scene.list_of = lambda _: rows
         told = headline._model_bias(scene)[0].replace("\xa0", " ")
-        self.assertIn("a peak 5.0 % below and an impulse 7.8 % above the tables",
-                      told)
+        self.assertIn("a peak 5.0 % below, an impulse 7.8 % above and a duration "
+                      "38 % below the tables", told)
 
     def test_no_afterburn(self):
         """Of a balanced explosive: no sentence on effects of nothing."""

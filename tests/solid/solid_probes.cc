@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/base/parameters/parameter_file.h>
 #include <contrecoup/base/parameters/parameter_tree.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/solid/body/stress_invariants.h>
@@ -98,4 +99,55 @@ TEST(SolidProbes, AveragedPressureIsThatOfTheTissueAverage)
                   1e-3 * std::abs(known[3]));
       }
   }
+}
+
+
+// A signal falls through a threshold as often as it rises through one; what is
+// never crossed has no time.
+TEST(SolidProbes, ArrivalIsTheFirstCrossingInEitherDirection)
+{
+  solid::SolidBody<double> body;
+  body.reinit(half_brain(false),
+              materials_of("paper"),
+              {},
+              solid::Supports(),
+              solid::SurfaceLoads(),
+              MPI_COMM_WORLD);
+  dealii::ParameterHandler prm;
+  solid::SolidProbes::declare_parameters(prm);
+  std::vector<Assignment> assignments;
+  const auto set = [&](const std::string &name,
+                       const std::string &entry,
+                       const std::string &value) {
+    assignments.push_back(
+      {{"Measures", "Measure " + name}, entry, value, "test"});
+  };
+  for (const std::string name : {"falls", "rises", "waves", "late"})
+    set(name, "Quantity", "velocity_x");
+  set("falls", "Statistic", "arrival");
+  set("falls", "Threshold", "-0.55");
+  set("rises", "Statistic", "arrival");
+  set("rises", "Threshold", "0.55");
+  set("waves", "Statistic", "frequency");
+  set("late", "First time", "9");
+  assignments.push_back({{"Probes"}, "Points", "0, 0, 0", "test"});
+  apply_assignments(assignments, prm);
+  solid::SolidProbes probes;
+  probes.parse_parameters(prm);
+  probes.reinit(body.mesh(), MPI_COMM_WORLD);
+  for (unsigned int step = 0; step <= 10; ++step)
+  {
+    for (std::size_t i = 0; i < body.mesh().nodes.size(); ++i)
+      body.nodes().velocity_of(i)[0] = -0.1 * step;
+    body.start(0.01 * step);
+    probes.read(body);
+  }
+  const std::vector<NamedValue> results = probes.measured();
+  ASSERT_EQ(results.size(), 4u);
+  for (const NamedValue &result : results)
+    if (result.name == "falls")
+      EXPECT_NEAR(result.value, 0.055, 1e-12);
+    else
+      EXPECT_TRUE(std::isnan(result.value)) << result.name;
+  EXPECT_EQ(probes.warnings().size(), 3u);
 }

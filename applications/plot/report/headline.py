@@ -26,6 +26,7 @@ COMPARED = {"peak_overpressure": "peak overpressure",
             "eardrum_rupture": "rupture probability of an eardrum in the open"}
 LUNGS = ("lung_exposure", "lung_lethality")
 CHANCES = ("lung_lethality", "eardrum_rupture")
+LARGE_BIAS = 0.1  # of the model, which may decide a verdict
 MOST_LINES = 3  # of what could change the verdict, in the text version
 
 
@@ -248,8 +249,12 @@ def _tables(scene, judged):
             "The tables have another verdict on the lungs: death with a "
             "probability of "
             + page.chance(scene.table_answer("lung_lethality")[0])
-            + f" in the open, where this run has {death.shown()}. Trust "
-            "neither before a run with a finer Scene/Accuracy.")
+            + f" in the open, where this run has {death.shown()}. "
+            + ("Trust neither: finer cells leave the model's difference from "
+               "the tables (below) as it is."
+               if any(abs(bias) >= LARGE_BIAS
+                      for bias in _known_biases(scene).values()) else
+               "Trust neither before a run with a finer Scene/Accuracy."))
     differing, chances = [], []
     for row in _rows(scene):
         here, known = (files.as_number(row.get(key))
@@ -335,14 +340,20 @@ def _afterburn(scene):
 
 def _model_bias(scene):
     """What the model itself adds to the differences from the tables."""
-    rows = {row.get("item"): row for row in scene.list_of("plan")}
-    parts = [f"{'a peak' if name == 'peak' else 'an impulse'} "
+    parts = [f"{'an' if name == 'impulse' else 'a'} {name} "
              f"{page.percent(abs(bias), 2)} {'below' if bias < 0. else 'above'}"
-             for name in ("peak", "impulse")
-             if (bias := _fraction(rows.get(f"model_bias_{name}"))) is not None]
+             for name, bias in _known_biases(scene).items()]
     return [f"In fine cells, too, the model gives this explosive "
             f"{page.joined(parts)} the tables in free air at this distance."] \
         if parts else []
+
+
+def _known_biases(scene):
+    """Relative differences of the model from the tables, by quantity."""
+    rows = {row.get("item"): row for row in scene.list_of("plan")}
+    biases = {name: _fraction(rows.get(f"model_bias_{name}"))
+              for name in ("peak", "impulse", "duration")}
+    return {name: bias for name, bias in biases.items() if bias is not None}
 
 
 def _fraction(row):

@@ -22,7 +22,7 @@ namespace
   /// Relative differences at these distances [-].
   struct Measured
   {
-    std::array<double, n_distances> peak, impulse;
+    std::array<double, n_distances> peak, impulse, duration;
   };
 
   /// From parameter_files/study/results/explosive_bias.md.
@@ -32,28 +32,36 @@ namespace
     static const std::map<std::string, Measured> table{
       {"tnt",
        {{{0.043, -0.024, -0.046, -0.019, 0.022, 0.052}},
-        {{0.043, 0.015, 0.078, 0.125, 0.124, 0.110}}}},
+        {{0.043, 0.015, 0.078, 0.125, 0.124, 0.110}},
+        {{0.06, 0.06, 0.12, -0.01, 0.01, 0.03}}}},
       {"tnt dobratz",
        {{{0.109, 0.018, -0.014, 0.007, 0.035, 0.066}},
-        {{0.005, -0.022, 0.041, 0.093, 0.095, 0.083}}}},
+        {{0.005, -0.022, 0.041, 0.093, 0.095, 0.083}},
+        {{0.07, 0.12, 0.18, 0.04, 0.06, 0.07}}}},
       {"c-4",
        {{{0.062, -0.057, -0.103, -0.092, -0.058, -0.016}},
-        {{0.042, -0.022, 0.036, 0.098, 0.103, 0.092}}}},
+        {{0.042, -0.022, 0.036, 0.098, 0.103, 0.092}},
+        {{0.07, 0.05, 0.15, 0.01, 0.03, 0.05}}}},
       {"composition b",
        {{{0.091, -0.020, -0.065, -0.051, -0.021, 0.014}},
-        {{-0.188, -0.211, -0.157, -0.112, -0.110, -0.046}}}},
+        {{-0.188, -0.211, -0.157, -0.112, -0.110, -0.046}},
+        {{-0.38, -0.39, -0.24, -0.24, -0.19, 0.11}}}},
       {"petn 1.77",
        {{{0.016, -0.099, -0.148, -0.139, -0.102, -0.064}},
-        {{-0.283, -0.299, -0.246, -0.202, -0.201, -0.211}}}},
+        {{-0.283, -0.299, -0.246, -0.202, -0.201, -0.211}},
+        {{-0.59, -0.48, -0.30, -0.28, -0.24, -0.19}}}},
       {"petn 1.50",
        {{{0.030, -0.095, -0.145, -0.136, -0.099, -0.060}},
-        {{-0.277, -0.295, -0.242, -0.198, -0.197, -0.207}}}},
+        {{-0.277, -0.295, -0.242, -0.198, -0.197, -0.207}},
+        {{-0.58, -0.48, -0.30, -0.28, -0.24, -0.19}}}},
       {"anfo",
        {{{-0.090, -0.105, -0.103, -0.061, -0.033, -0.011}},
-        {{-0.275, -0.206, -0.163, -0.148, -0.153, -0.166}}}},
+        {{-0.275, -0.206, -0.163, -0.148, -0.153, -0.166}},
+        {{-0.58, -0.33, -0.29, -0.24, -0.20, -0.16}}}},
       {"pentolite",
        {{{0.101, -0.008, -0.053, -0.039, -0.010, 0.023}},
-        {{-0.185, -0.201, -0.147, -0.102, -0.022, -0.032}}}}};
+        {{-0.185, -0.201, -0.147, -0.102, -0.022, -0.032}},
+        {{-0.40, -0.38, -0.24, -0.24, 0.10, 0.11}}}}};
     // clang-format on
     return table;
   }
@@ -81,9 +89,10 @@ ModelBias model_bias(const SceneParameters &scene, const double distance)
                            scene.custom_entries.empty() &&
                            scene.has_usual_afterburn;
   if (!is_measured || scaled < distances.front() || scaled > distances.back())
-    return {unknown, unknown};
+    return {unknown, unknown, unknown};
   return {interpolate(found->second.peak, scaled),
-          interpolate(found->second.impulse, scaled)};
+          interpolate(found->second.impulse, scaled),
+          interpolate(found->second.duration, scaled)};
 }
 
 
@@ -95,6 +104,7 @@ std::string in_words(const ModelBias &bias)
   };
   return std::isnan(bias.peak)
            ? ""
-           : words("peak", bias.peak) + ", " + words("impulse", bias.impulse);
+           : words("peak", bias.peak) + ", " + words("impulse", bias.impulse) +
+               ", " + words("duration", bias.duration);
 }
 } // namespace contrecoup::coupling

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/base/parameters/expression.h>
 #include <contrecoup/base/system/coordinates.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
@@ -139,6 +140,47 @@ namespace
           coordinates(scene.body().surface()->project(*place)) + " m");
     }
   }
+
+
+  /// Whether a place in the body, or within an element of its skin, is where
+  /// the expression is not 0.
+  bool selects_place(const Expression &where,
+                     const PlannedScene &scene,
+                     const double element)
+  {
+    const auto [lower, upper] = scene.layout().body.get_boundary_points();
+    Point<3> place;
+    for (place[0] = lower[0] - element; place[0] <= upper[0] + element;
+         place[0] += element / 2.)
+      for (place[1] = lower[1] - element; place[1] <= upper[1] + element;
+           place[1] += element / 2.)
+        for (place[2] = lower[2] - element; place[2] <= upper[2] + element;
+             place[2] += element / 2.)
+          if (where.value(place) != 0. &&
+              scene.body().surface()->distance(place) <= element)
+            return true;
+    return false;
+  }
+
+
+  /// Refuses supports and loads of which no mesh of the body can have a node.
+  void check_places(const PlannedScene &scene, const TaskText &biomechanics)
+  {
+    for (const auto &[path, text] : biomechanics.values)
+    {
+      const std::size_t last = path.rfind('/');
+      if (path.substr(last + 1) != "Where" || text == "1")
+        continue;
+      if (!selects_place(
+            Expression(path, text), scene, scene.parameters().element_size))
+        throw InputError(
+          biomechanics.words(path) + " = \"" + text +
+          "\" selects no place in the body, which is from " +
+          coordinates(scene.layout().body.get_boundary_points().first) +
+          " to " +
+          coordinates(scene.layout().body.get_boundary_points().second) + " m");
+    }
+  }
 } // namespace
 
 
@@ -179,5 +221,6 @@ void check_biomechanics(const PlannedScene &scene,
                        " m outside of the body, farther than an element, " +
                        brief(element) + " m");
   }
+  check_places(scene, biomechanics);
 }
 } // namespace contrecoup::coupling

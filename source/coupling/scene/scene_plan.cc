@@ -256,6 +256,7 @@ namespace
     {
       items.push_back(bias("peak", known.peak));
       items.push_back(bias("impulse", known.impulse));
+      items.push_back(bias("duration", known.duration));
     }
     return items;
   }

@@ -187,6 +187,7 @@ namespace io
       folder_.flush();
       if (is_finished)
         collective_.run([&]() { simulation_.finish(folder_.path()); });
+      warn_of_retries();
       const std::string status = is_finished ? "finished" : "stopped";
       summarise(status, told_stop(loop.stop_signal()));
       if (is_finished)
@@ -211,6 +212,17 @@ namespace io
     }
     if (loop.stop_signal() != 0)
       throw Stopped(loop.stop_signal());
+  }
+
+  void Run::warn_of_retries() const
+  {
+    constexpr double largest_share = 0.05;
+    if (state_.retries > largest_share * state_.step)
+      log_line("WARNING: steps became unphysical and were halved " +
+               std::to_string(state_.retries) + " times in " +
+               std::to_string(state_.step) +
+               " steps: peaks may be wrong by a tenth and more; a smaller CFL or "
+               "Courant number avoids it");
   }
 
   void Run::summarise(const std::string &status, const std::string &message)

@@ -145,8 +145,8 @@ void SolidProbes::declare_parameters(ParameterHandler &prm)
                     statistics,
                     "Over all steps: largest or smallest value, value at "
                     "the end, time [s] at which the threshold is first "
-                    "crossed, or frequency [Hz] of rising through the "
-                    "threshold.");
+                    "crossed in either direction, or frequency [Hz] of "
+                    "rising through the threshold.");
   declare_double(prm,
                  "First time",
                  "0",
@@ -341,7 +341,8 @@ void SolidProbes::Measure::take(const double now, const double time)
     value = first ? now : std::min(value, now);
   else if (statistic == "last")
     value = now;
-  else if (!first && last < threshold && now >= threshold)
+  else if (!first && (last < threshold) != (now < threshold) &&
+           (statistic == "arrival" || now >= threshold))
   {
     value = last_time + (time - last_time) * (threshold - last) / (now - last);
     if (n_crossings == 0.)
@@ -354,13 +355,22 @@ void SolidProbes::Measure::take(const double now, const double time)
 }
 
 
+bool SolidProbes::Measure::is_found() const
+{
+  return n_read > 0. && n_crossings >= (statistic == "arrival"     ? 1.
+                                        : statistic == "frequency" ? 2.
+                                                                   : 0.);
+}
+
+
 double SolidProbes::Measure::result() const
 {
+  if (!is_found())
+    return std::numeric_limits<double>::quiet_NaN();
   if (statistic == "arrival")
     return first_crossing;
   if (statistic == "frequency")
-    return n_crossings < 2. ? 0.
-                            : (n_crossings - 1.) / (value - first_crossing);
+    return (n_crossings - 1.) / (value - first_crossing);
   return value;
 }
 
@@ -396,6 +406,24 @@ std::vector<NamedValue> SolidProbes::measured() const
                       measure.result()});
   }
   return result;
+}
+
+
+std::vector<std::string> SolidProbes::warnings() const
+{
+  std::vector<std::string> lines;
+  for (const Measure &measure : measures_)
+    if (!measure.is_found())
+      lines.push_back("Measures/Measure " + measure.name + " has no value: " +
+                      (measure.n_read == 0.
+                         ? "the run ended before First time = " +
+                             brief(measure.first_time) + " s"
+                         : "its signal " +
+                             std::string(measure.statistic == "arrival"
+                                           ? "never crosses"
+                                           : "rises less than twice through") +
+                             " Threshold = " + brief(measure.threshold)));
+  return lines;
 }
 
 

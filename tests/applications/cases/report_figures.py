@@ -542,10 +542,11 @@ def _free_air(files):
 
 
 def _model_bias(files):
-    """Known differences of peak and impulse from the tables, without sign."""
+    """Known differences from the tables, without sign."""
     rows = {row["item"]: row for row in files.scene.get("plan", [])}
     values = [(name, float(rows[f"model_bias_{name}"]["estimate"]))
-              for name in ("peak", "impulse") if f"model_bias_{name}" in rows]
+              for name in ("peak", "impulse", "duration")
+              if f"model_bias_{name}" in rows]
     return [(rf"gives this .*?an? {name} ({report_reader.NUMBER} %) "
              + ("below" if value < 0. else "above"), abs(value))
             for name, value in values]

@@ -15,6 +15,7 @@ struct ModelBias
 {
   double peak;
   double impulse;
+  double duration; ///< of the positive phase
 };
 
 /**
@@ -26,6 +27,6 @@ struct ModelBias
  */
 ModelBias model_bias(const SceneParameters &scene, double distance);
 
-/// "peak -3 %, impulse +12 %"; empty: not measured.
+/// "peak -3 %, impulse +12 %, duration -5 %"; empty: not measured.
 std::string in_words(const ModelBias &bias);
 } // namespace contrecoup::coupling

@@ -39,6 +39,8 @@ namespace io
     CostEstimate estimate();
     void write_check(const CostEstimate &cost);
     void prepare();
+    /// Where more than a few steps were halved.
+    void warn_of_retries() const;
     void summarise(const std::string &status, const std::string &message);
     void draw_pictures() const;
 

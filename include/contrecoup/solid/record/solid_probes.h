@@ -58,8 +58,11 @@ public:
   /// The last values read, named "probe_1_pressure" and so on.
   std::vector<NamedValue> values() const;
 
-  /// Results of the measures, by name.
+  /// Results of the measures, by name; NaN: warnings() tell why.
   std::vector<NamedValue> measured() const;
+
+  /// A line for each measure that has no value.
+  std::vector<std::string> warnings() const;
 
   /// Relative errors of the measures against their expected values.
   std::vector<NamedValue> errors() const;
@@ -101,6 +104,7 @@ private:
     double n_read = 0.;
 
     void take(double now, double time);
+    bool is_found() const;
     double result() const;
   };
 
