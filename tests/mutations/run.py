@@ -41,8 +41,7 @@ INTRODUCTION = """\
 
 Each row is a fault that was put into the code alone. "Caught by" are the tests
 that failed, of those that `mutations.toml` names for it; `survived` means that
-none did. The seconds are those of building and testing, and depend on what was
-built before. Renew all rows, or one, by
+none did. Renew all rows, or one, by
 
 ```bash
 tests/mutations/run.py
@@ -329,10 +328,10 @@ def write_results(mutations, rows):
     """The table, with a row for each fault of the list, in its order."""
     with open(RESULTS, "w", encoding="utf-8") as file:
         file.write(INTRODUCTION)
-        file.write("| name | fault | file | caught by | s |\n"
-                   "|---|---|---|---|---|\n")
+        file.write("| name | fault | file | caught by |\n"
+                   "|---|---|---|---|\n")
         file.writelines(kept_row(mutation, rows)
-                        or row_of(mutation, "not tried yet", "")
+                        or row_of(mutation, "not tried yet")
                         for mutation in mutations)
 
 
@@ -343,9 +342,9 @@ def kept_row(mutation, rows):
     return row if is_same else ""
 
 
-def row_of(mutation, outcome, seconds):
+def row_of(mutation, outcome):
     return (f"| `{mutation.name}` | {mutation.fault} | `{mutation.file}` | "
-            f"{outcome} | {seconds} |\n")
+            f"{outcome} |\n")
 
 
 def told(failed):
@@ -377,7 +376,7 @@ def try_all(mutations, chosen, copy, all_tests):
         not_caught += 0 if failed else 1
         print(f"{mutation.name}: {outcome} ({seconds:.0f} s)", flush=True)
         rows = read_results()
-        rows[mutation.name] = row_of(mutation, outcome, round(seconds))
+        rows[mutation.name] = row_of(mutation, outcome)
         write_results(mutations, rows)
     return not_caught
 
