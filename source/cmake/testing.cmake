@@ -117,7 +117,8 @@ endfunction()
 #   COMMAND ...): add_test with the environment and properties of all tests.
 #
 # The time limit ends tests that hang. Give those a longer one that take long:
-# from nothing they start first.
+# from nothing they start first. Those with the label nightly run with
+# ctest -C Nightly alone, as tests/nightly does.
 function(_contrecoup_register_test name)
   cmake_parse_arguments(ARG "" "RANKS;TIMEOUT" "LABELS;COMMAND" ${ARGN})
   if(NOT ARG_TIMEOUT)
@@ -127,7 +128,11 @@ function(_contrecoup_register_test name)
   if(NOT ARG_RANKS)
     set(ARG_RANKS 1)
   endif()
-  add_test(NAME ${name} COMMAND ${ARG_COMMAND}
+  set(_configurations "")
+  if(nightly IN_LIST ARG_LABELS)
+    set(_configurations CONFIGURATIONS Nightly)
+  endif()
+  add_test(NAME ${name} COMMAND ${ARG_COMMAND} ${_configurations}
     WORKING_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR})
   set_tests_properties(${name} PROPERTIES
     ENVIRONMENT "${CONTRECOUP_TEST_ENVIRONMENT}"

@@ -205,7 +205,7 @@ contrecoup_add_application_test(human bounds,pictures ${_human}
     plane_y_0_pressure.png)
 contrecoup_add_application_test(human_long_steps bounds ${_human}
   BOUNDS "status == finished" "retries == 0"
-    "checks.loads_impulse_difference < 4.83e-4" ${_human_loads})
+    "checks.loads_impulse_difference < 4.83e-4" ${_human_loads} LABELS nightly)
 
 blast_refuses(gauges_outside "is outside of the domain" FILE ${_cylinder}
   SET "Loads/Record=true" "Loads/Gauges=below: 0.1, -0.5")

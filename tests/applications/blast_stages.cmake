@@ -86,7 +86,7 @@ contrecoup_add_application_test(gauge_lines gauge_lines TIMEOUT 1200
     "Probes/Lines=0.3, 0 : 10, 0 : 195" "Output/Pictures=false"
     "Output/Fields interval=1" "Time/End time=0.03"
   BOUNDS "peak < 0.05" "impulse < 0.05" "arrival < 0.05" "rise < 1e-9"
-    "unknown == 0")
+    "unknown == 0" LABELS nightly)
 
 # The showcase in single precision, with cells of 37 mm at fronts: the cost of
 # its mesh does not grow, and single precision conserves as it did, with half as

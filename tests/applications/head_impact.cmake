@@ -329,7 +329,7 @@ contrecoup_add_application_test(shell_fine bounds
   "errors.rigid_pressure_2 > -0.0272" "errors.rigid_pressure_2 < 0.0272"
   "errors.hydrostatic_pressure_1 > -0.1" "errors.hydrostatic_pressure_1 < 0.1"
   "errors.pressure_1 > -0.0305" "errors.pressure_1 < 0.0305"
-  LABELS verification)
+  LABELS verification nightly)
 
 # Water onto a plate, solved in turn: the plate gets 1.929 m/s, within 0.21 %. A thinner one
 # weighs less than the water beside it.

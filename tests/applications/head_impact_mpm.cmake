@@ -30,7 +30,7 @@ contrecoup_add_application_test(two_disks_fine bounds
   "results.region_contact_begin < 1.630" "history.kinetic_energy > 0.02355"
   "history.kinetic_energy < 0.02394" "history.stored_energy > 0.00134"
   "history.stored_energy < 0.00144" "checks.contact_loss < 0.0116"
-  LABELS verification)
+  LABELS verification nightly)
 
 contrecoup_add_application_test(hydrostatic_particles bounds
   FILE ${_folder}/hydrostatic.prm SET "Output/Fields=false"
@@ -61,7 +61,7 @@ contrecoup_add_application_test(generalised_vortex_order convergence
   FILE ${_folder}/generalised_vortex.prm SET "Output/Fields=false"
   "Mesh/Upper corner=1.25, 1.25, 0.0625"
   VARY "MPM/Cell size=0.0625|0.03125" ERROR errors.displacement_L1 ORDER 2
-  LABELS verification)
+  LABELS verification nightly)
 
 # Crushed bars of metal. The constants of 1983 come from tension and torsion tests
 # of copper; bars remain too long, whatever the cells.

@@ -46,4 +46,4 @@ contrecoup_add_application_test(main_job_image main_job
     "results.injury_intracranial_pressure_peak < 763.1e3"
     "results.injury_intracranial_pressure_lowest < 244.5e3"
     "results.injury_strain_95 > 0.01152" "results.injury_strain_95 < 0.01224"
-    "results.injury_hic15 > 89.6" "results.injury_hic15 < 95.2")
+    "results.injury_hic15 > 89.6" "results.injury_hic15 < 95.2" LABELS nightly)

@@ -3,9 +3,16 @@
 should, and rejects one with a flaw. The application is decay.py.
 
 Stand-ins mostly sleep, so several tests run at a time. A case is a copy of this
-process, which has read all modules before."""
+process, which has read all modules before.
+
+self_test.py           all, unless the files are those that have passed
+self_test.py --note    all, and notes in self_test.sha256 that they have passed
+self_test.py NAME...   such as JudgementTest.test_bounds
+"""
 
 import contextlib
+import glob
+import hashlib
 import importlib.util
 import json
 import multiprocessing
@@ -21,6 +28,9 @@ from run_case import folder_cases
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 AT_ONCE = 4
+# The digest of the files that have passed, so that they need not pass again with
+# every change of something else.
+NOTED = os.path.join(HERE, "self_test.sha256")
 
 
 class SelfTest(unittest.TestCase):
@@ -622,8 +632,24 @@ def prove(name):
     return name, flaws
 
 
+def digest():
+    """Of all Python files that these tests are about, and of themselves."""
+    total = hashlib.sha256()
+    for path in sorted(glob.glob(os.path.join(HERE, "**", "*.py"),
+                                 recursive=True)):
+        with open(path, "rb") as file:
+            total.update(os.path.relpath(path, HERE).encode() + file.read())
+    return total.hexdigest() + "\n"
+
+
 def main(arguments):
-    """All tests, or those with names like JudgementTest.test_bounds."""
+    notes = arguments == ["--note"]
+    arguments = [] if notes else arguments
+    if not arguments and not notes and os.path.exists(NOTED):
+        with open(NOTED, encoding="utf-8") as file:
+            if file.read() == digest():
+                print("the files are those that have passed")
+                return 0
     wanted = [f"{__name__}.{name}" for name in arguments] or list(names(
         unittest.defaultTestLoader.loadTestsFromModule(sys.modules[__name__])))
     wrong = 0
@@ -633,6 +659,9 @@ def main(arguments):
             print("".join(flaws), end="", flush=True)
             wrong += bool(flaws)
     print(f"{len(wanted)} tests, {wrong} failed")
+    if notes and not wrong:
+        with open(NOTED, "w", encoding="utf-8") as file:
+            file.write(digest())
     return 1 if wrong or not wanted else 0
 
 
