@@ -27,6 +27,7 @@ SPHERE = "blast/verification/body_sphere_axisymmetric.prm"
 BURN = "blast/verification/tnt_detonation.prm"
 HEAD = "head_impact/quickstart.prm"
 BAR = "biomechanics/verification/bar_wave.prm"
+MPM = "head_impact/verification/two_disks.prm"
 ANATOMY = "anatomy/quickstart.prm"
 REST = "blast/extremes/rest_100000_steps.prm"
 # Where what is needed for a case lies, made by make_files().
@@ -400,6 +401,15 @@ def unused():
              "Body/Kind is phantom, not surface"),
             ("head_impact", HEAD, {"MPM/Cell size": "0.006"},
              "MPM/Cell size" + not_used + "Method is ale, not mpm"),
+            ("head_impact", MPM, {"Rezone/Interval": "1e-3"},
+             "Rezone/Interval" + not_used + "Method is mpm, not ale"),
+            ("blast", SOD, {"Loads/Gauge radius": "0.1"},
+             "Loads/Gauge radius" + not_used + "Loads/Record is false"),
+            ("blast", SOD, {"First stage/Cell size": "0.1"},
+             "First stage/Cell size" + not_used + "First stage/Kind is none"),
+            ("biomechanics", BAR, {"Loads/Recorded/Mirror": "y"},
+             "Loads/Recorded/Mirror" + not_used
+             + "Loads/Recorded/File is empty"),
             ("study", "study/quickstart.prm", {"Study/Samples": "4"},
              "Study/Samples" + not_used + "Study/Design is full grid, not "
              "latin hypercube"),
@@ -417,6 +427,16 @@ def unused():
         yield (said, application,
                shipped(path, *near, *(entry(*one) for one in lines.items())),
                said)
+
+
+def near_sides():
+    """A domain of the user with an open side from which the front returns."""
+    yield ("reflection of a scene", "scene",
+           shipped("scene/verification/head.prm",
+                   entry("Blast/Domain/Lower corner", "-1.28, -0.64, 0"),
+                   entry("Blast/Domain/Upper corner", "0.64, 0.64, 1.92"),
+                   entry("Blast/Domain/Coarse leaves", "3, 2, 3")),
+           "WARNING: reflection: from the charge by the open side x high back")
 
 
 def refused_studies():
@@ -576,6 +596,7 @@ def main(programs, repository):
                               (refused_heads, judge_refusal),
                               (accepted, judge_acceptance),
                               (unused, judge_acceptance),
+                              (near_sides, judge_acceptance),
                               (thin_layers, judge_acceptance),
                               (warned_heads, judge_acceptance)]:
         of_application = {}

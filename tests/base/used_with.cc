@@ -50,12 +50,20 @@ void declare_all(ParameterHandler &prm)
   declare_double(prm, "Peak", "1", 0., 9., "Pa", "Of it.");
 }
 
-std::vector<std::string> unused_of(const std::vector<std::string> &texts)
+/// Warnings of a file with such entries and of later overrides.
+std::vector<std::string>
+unused_of(const std::vector<std::string> &texts,
+          const std::vector<std::string> &overrides = {})
 {
   ParameterHandler prm;
   declare_all(prm);
   std::vector<Assignment> assignments;
   for (const std::string &text : texts)
+  {
+    assignments.push_back(parse_override(text));
+    assignments.back().origin = "a.prm, line 1";
+  }
+  for (const std::string &text : overrides)
     assignments.push_back(parse_override(text));
   apply_assignments(assignments, prm);
   return find_unused(prm, assignments);
@@ -103,6 +111,20 @@ TEST(UsedWith, TellsTheOuterReason)
   EXPECT_EQ(unused_of({"Body/Kind=surface", "Body/Surface/Facing=90"}),
             Lines{"WARNING: Body/Surface/Facing is set but not used: "
                   "Body/Surface/Organs is none"});
+}
+
+// Who overrides a choice of a file knows that entries of the other one rest.
+TEST(UsedWith, IsSilentWhereAnOverrideChose)
+{
+  const std::vector<std::string> file = {"Body/Kind=surface",
+                                         "Body/Surface/Scale=2"};
+  EXPECT_EQ(unused_of(file, {"Body/Kind=phantom"}), Lines{});
+  EXPECT_EQ(unused_of(file, {"Body/Kind=phantom", "Body/Surface/Scale=3"}),
+            Lines{"WARNING: Body/Surface/Scale is set but not used: Body/Kind "
+                  "is phantom, not surface"});
+  EXPECT_EQ(unused_of({"Body/Surface/Scale=2"}, {"Levels=1"}),
+            Lines{"WARNING: Body/Surface/Scale is set but not used: Body/Kind "
+                  "is phantom, not surface"});
 }
 
 TEST(UsedWith, AcceptsWhatIsUsedOrHasItsDefault)

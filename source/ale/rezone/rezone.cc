@@ -42,6 +42,7 @@ namespace
 void Rezone::declare_parameters(ParameterHandler &prm)
 {
   const Section section(prm, "Rezone");
+  const UsedWith with_mesh("Method = ale");
   declare_selection(prm,
                     "Kind",
                     "none",

@@ -8,6 +8,7 @@
 #include <contrecoup/ale/run/ale_simulation.h>
 #include <contrecoup/base/parameters/parameters.h>
 #include <contrecoup/base/parameters/selecting.h>
+#include <contrecoup/base/parameters/used_with.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/log.h>
 #include <contrecoup/base/system/timers.h>
@@ -51,13 +52,14 @@ void AleSimulation::declare_parameters(ParameterHandler &prm)
       1.,
       "-",
       "Step size over the time that signals take to cross a cell.");
-    declare_double(prm,
-                   "Largest growth",
-                   "1.2",
-                   1.001,
-                   10.,
-                   "-",
-                   "Largest ratio of successive step sizes.");
+    declare_double(
+      prm,
+      "Largest growth",
+      "1.2",
+      1.001,
+      10.,
+      "-",
+      used_with("Method = ale", "Largest ratio of successive step sizes."));
     declare_integer(
       prm,
       "Largest number of retries",

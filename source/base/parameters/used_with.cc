@@ -114,11 +114,19 @@ namespace
   }
 
 
-  /// Why the condition does not hold for an entry in @p sections; empty: it
-  /// does, or names no entry of this application.
-  std::string find_reason(const Tree &tree,
-                          const std::vector<std::string> &sections,
-                          const Condition &condition)
+  /// Why an entry is not used; without text it is.
+  struct Reason
+  {
+    std::string text;
+    std::vector<std::string> choices; ///< paths of the entries that it names
+  };
+
+
+  /// Why the condition does not hold for an entry in @p sections; without text
+  /// it does, or names no entry of this application.
+  Reason find_reason(const Tree &tree,
+                     const std::vector<std::string> &sections,
+                     const Condition &condition)
   {
     std::vector<std::string> paths, is;
     for (const std::string &name : condition.entries)
@@ -128,12 +136,12 @@ namespace
         continue;
       const std::string value = value_at(tree, path);
       if (is_among(value, condition) != condition.is_negated)
-        return "";
+        return {};
       paths.push_back(path);
       is.push_back(value.empty() ? "empty" : value);
     }
     if (paths.empty())
-      return "";
+      return {};
     const bool differ =
       std::any_of(is.begin(), is.end(), [&](const auto &value) {
         return value != is.front();
@@ -143,33 +151,42 @@ namespace
       reason += " and " + paths[i] + " is " + is[i];
     if (!differ && paths.size() > 1)
       reason = join(paths, " and ") + " are " + is.front();
-    return reason + (condition.is_negated
-                       ? ""
-                       : ", not " + join(condition.values, " or "));
+    return {reason + (condition.is_negated
+                        ? ""
+                        : ", not " + join(condition.values, " or ")),
+            paths};
   }
 
 
-  /// Why an entry that differs from its default is not used; empty: it is.
-  std::string why_unused(const Tree &tree,
-                         const std::vector<std::string> &sections,
-                         const std::string &path)
+  /// Why an entry that differs from its default is not used.
+  Reason why_unused(const Tree &tree,
+                    const std::vector<std::string> &sections,
+                    const std::string &path)
   {
     const Tree::json_pointer place("/" + path);
     // The "*" of a pattern is no item.
     if (!tree.contains(place))
-      return "";
+      return {};
     const auto text = [&](const char *field) {
       return tree[place][field].get<std::string>();
     };
     if (is_same(text("value"), text("default_value")))
-      return "";
+      return {};
     for (const Condition &condition : conditions_of(text("documentation")))
     {
-      std::string reason = find_reason(tree, sections, condition);
-      if (!reason.empty())
+      Reason reason = find_reason(tree, sections, condition);
+      if (!reason.text.empty())
         return reason;
     }
-    return "";
+    return {};
+  }
+
+
+  std::string path_of(const Assignment &assignment)
+  {
+    std::vector<std::string> words = assignment.sections;
+    words.push_back(assignment.entry);
+    return join(words, "/");
   }
 } // namespace
 
@@ -208,16 +225,22 @@ std::vector<std::string> find_unused(const dealii::ParameterHandler &prm,
   const Tree tree = declared::tree_of(prm);
   std::vector<std::string> reasons;
   std::map<std::string, std::vector<std::string>> entries;
-  std::set<std::string> seen;
+  std::set<std::string> seen, overridden;
+  for (const Assignment &assignment : assignments)
+    if (assignment.origin == "--set")
+      overridden.insert(path_of(assignment));
+  const auto is_overridden = [&](const std::string &path) {
+    return overridden.count(path) > 0;
+  };
   for (const Assignment &assignment : assignments)
   {
-    std::vector<std::string> words = assignment.sections;
-    words.push_back(assignment.entry);
-    const std::string path = join(words, "/");
-    const std::string reason = seen.insert(path).second
-                                 ? why_unused(tree, assignment.sections, path)
-                                 : "";
-    if (reason.empty())
+    const std::string path = path_of(assignment);
+    if (!seen.insert(path).second)
+      continue;
+    const auto [reason, choices] = why_unused(tree, assignment.sections, path);
+    if (reason.empty() ||
+        (!is_overridden(path) &&
+         std::any_of(choices.begin(), choices.end(), is_overridden)))
       continue;
     if (entries.count(reason) == 0)
       reasons.push_back(reason);

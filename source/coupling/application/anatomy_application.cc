@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/parameters/parameter_tree.h>
+#include <contrecoup/base/parameters/used_with.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/log.h>
 #include <contrecoup/base/system/memory.h>
@@ -38,9 +39,13 @@ namespace coupling
     class AnatomyRun
     {
     public:
-      AnatomyRun(const AnatomyParameters &parameters, const std::string &folder)
+      /// @param warnings of the entries, for check() and execute()
+      AnatomyRun(const AnatomyParameters &parameters,
+                 const std::string &folder,
+                 const std::vector<std::string> &warnings)
         : parameters_(parameters)
         , folder_(folder)
+        , warnings_(warnings)
         , begin_(std::chrono::steady_clock::now())
         , body_(parameters.body.create())
         , surface_(body_->surface())
@@ -69,6 +74,7 @@ namespace coupling
           show_line(line);
         for (const std::string &remark : body_->remarks())
           show_line(remark_line(remark));
+        warn();
         show_line("The parameters are valid.");
         return cost;
       }
@@ -253,6 +259,13 @@ namespace coupling
         write_text("parameters.prm", parameter_text);
         Log::instance().open(path("log.txt"), false);
         show_line("anatomy " + version() + " (" + git_revision() + ")");
+        warn();
+      }
+
+      void warn() const
+      {
+        for (const std::string &line : warnings_)
+          log_line(line);
       }
 
       void write_text(const std::string &name, const std::string &text) const
@@ -343,6 +356,7 @@ namespace coupling
 
       AnatomyParameters parameters_;
       std::string folder_;
+      std::vector<std::string> warnings_;
       std::chrono::steady_clock::time_point begin_;
       BodyPointer body_;
       ShapePointer surface_;
@@ -353,17 +367,19 @@ namespace coupling
     };
 
     /// What a scene says of its own entries.
-    void warn(const io::CommandLine &command,
-              const dealii::ParameterHandler &prm,
-              const AnatomyParameters &parameters)
+    std::vector<std::string> find_warnings(const io::CommandLine &command,
+                                           const dealii::ParameterHandler &prm,
+                                           const AnatomyParameters &parameters)
     {
-      io::warn_of_unused(command, prm);
+      std::vector<std::string> lines =
+        find_unused(prm, io::assignments_of(command, prm));
       for (const std::string &line :
            thin_layer_lines(parameters.layers,
                             parameters.element_size,
                             AnatomyParameters::usual_element_size,
                             "Mesh/Element size"))
-        log_line(line);
+        lines.push_back(line);
+      return lines;
     }
 
     void
@@ -376,12 +392,14 @@ namespace coupling
                          "it again");
       AnatomyParameters parameters;
       parameters.parse_parameters(prm);
-      if (!on_cost_estimate)
-        warn(command, prm, parameters);
+      const std::vector<std::string> warnings =
+        on_cost_estimate ? std::vector<std::string>()
+                         : find_warnings(command, prm, parameters);
       const std::string &folder = command.output_folder;
       if (command.check)
       {
-        const CostEstimate cost = AnatomyRun(parameters, folder).check();
+        const CostEstimate cost =
+          AnatomyRun(parameters, folder, warnings).check();
         if (on_cost_estimate)
           on_cost_estimate(cost);
         else
@@ -398,7 +416,7 @@ namespace coupling
                             io::make_run_input(parameter_values(prm)));
       if (!claim.may_proceed(command, {}))
         return;
-      AnatomyRun(parameters, folder)
+      AnatomyRun(parameters, folder, warnings)
         .execute("# anatomy " + version() + " (" + git_revision() +
                    "): every entry as used\n\n" + parameter_text(prm, false),
                  claim);

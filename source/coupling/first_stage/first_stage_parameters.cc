@@ -222,8 +222,9 @@ void FirstStageParameters::declare_parameters(ParameterHandler &prm)
                  bounds::smallest_length,
                  bounds::length,
                  "m",
-                 "Edge of the subcells of the first stage, of the smallest "
-                 "ones if it is axisymmetric.");
+                 used_with("First stage/Kind not none",
+                           "Edge of the subcells of the first stage, of the "
+                           "smallest ones if it is axisymmetric."));
   declare_integer(
     prm,
     "Levels",

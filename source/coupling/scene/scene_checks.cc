@@ -199,6 +199,41 @@ void check_blast(const PlannedScene &scene, const TaskText &blast)
 }
 
 
+std::string reflection_warning(const PlannedScene &scene, const TaskText &blast)
+{
+  const SceneLayout &layout = scene.layout();
+  const dealii::BoundingBox<3> domain = domain_of(blast);
+  double shortest = layout.front_distance;
+  std::string where;
+  for (unsigned int side = 0; side < 6; ++side)
+  {
+    const unsigned int d = side / 2;
+    const std::string name =
+      std::string(1, "xyz"[d]) + (side % 2 == 0 ? " low" : " high");
+    if (blast.values.at("Boundaries/" + name) != "open")
+      continue;
+    const double place =
+      side % 2 == 0 ? domain.lower_bound(d) : domain.upper_bound(d);
+    for (const Point<3> &probe : points_of(blast.values.at("Probes/Points")))
+    {
+      Point<3> image = probe;
+      image[d] = 2. * place - probe[d];
+      if (image.distance(layout.charge) >= shortest)
+        continue;
+      shortest = image.distance(layout.charge);
+      where = name + " back to the probe at " + coordinates(probe) + " m";
+    }
+  }
+  return where.empty()
+           ? ""
+           : "WARNING: reflection: from the charge by the open side " + where +
+               " it is " + brief(shortest, 3) + " m, and the front goes " +
+               brief(layout.front_distance, 3) + " m until " +
+               brief(scene.parameters().end_time) +
+               " s; a larger Blast/Domain, or none, keeps its reflection away";
+}
+
+
 void check_biomechanics(const PlannedScene &scene,
                         const TaskText &blast,
                         const TaskText &biomechanics)

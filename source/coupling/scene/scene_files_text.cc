@@ -55,7 +55,8 @@ task_text(const std::string &name,
           const dealii::ParameterHandler &scene,
           const std::vector<Assignment> &wrote,
           const std::function<void(dealii::ParameterHandler &)> &declare,
-          const EntryChanges &changes)
+          const EntryChanges &changes,
+          const std::vector<Assignment> &given)
 {
   std::vector<Assignment> all = entries;
   for (Assignment &assignment : all)
@@ -92,13 +93,14 @@ task_text(const std::string &name,
   {
     throw InputError(words(error.what()));
   }
-  std::vector<std::string> unused;
+  TaskText result{parameter_text(prm, false),
+                  words,
+                  assignments_of(prm),
+                  parameter_values(prm),
+                  {}};
+  apply_assignments(given, prm);
   for (const std::string &line : find_unused(prm, of_user))
-    unused.push_back(words(line));
-  return {parameter_text(prm, false),
-          words,
-          assignments_of(prm),
-          parameter_values(prm),
-          unused};
+    result.unused.push_back(words(line));
+  return result;
 }
 } // namespace contrecoup::coupling

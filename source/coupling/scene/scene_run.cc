@@ -92,6 +92,7 @@ void SceneRun::write_forecast(const StageCosts &costs) const
 void SceneRun::check()
 {
   scene_->print(true);
+  warn_of_entries(*scene_, command_, prm_, collective_);
   for (SceneTask &task : tasks_)
     task.inspect(collective_);
   for (const SceneTask &task : tasks_)
@@ -399,6 +400,7 @@ void SceneRun::execute()
 void SceneRun::run_all()
 {
   scene_->print(false);
+  warn_of_entries(*scene_, command_, prm_, collective_);
   std::vector<std::string> warnings = Log::instance().warnings();
   if (!command_.resume || !has_records())
     forecast();

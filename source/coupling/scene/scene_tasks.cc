@@ -165,19 +165,29 @@ namespace
       check_biomechanics(scene_, blast, biomechanics_text({}));
     }
 
-    /// Shows which entries of the user have no effect on this scene.
-    void warn_of_unused() const
+    /// Shows which entries of the user have no effect on this scene, and a
+    /// reflection from a side that is too near.
+    void warn() const
     {
       std::vector<Assignment> own;
       std::vector<std::string> of_biomechanics;
+      const auto is_override = [](const Assignment &one) {
+        return one.origin == "--set";
+      };
+      const bool chose_question =
+        std::any_of(wrote_.begin(), wrote_.end(), [&](const Assignment &one) {
+          return is_override(one) && one.entry == "Question";
+        });
       for (const Assignment &assignment : wrote_)
         if (!SceneParameters::is_of_stage(assignment))
           own.push_back(assignment);
-        else if (assignment.sections[0] == "Biomechanics")
+        else if (assignment.sections[0] == "Biomechanics" &&
+                 (is_override(assignment) || !chose_question))
           of_biomechanics.push_back(join(assignment.sections, "/") + "/" +
                                     assignment.entry);
       std::vector<std::string> warnings = find_unused(prm_, own);
       std::vector<TaskText> texts{anatomy_text(), blast_text({})};
+      const std::string reflection = reflection_warning(scene_, texts.back());
       if (scene_.parameters().wants_injury())
         texts.push_back(biomechanics_text({}));
       else if (!of_biomechanics.empty())
@@ -185,6 +195,8 @@ namespace
           of_biomechanics, "Scene/Question is loads, not injury"));
       for (const TaskText &text : texts)
         warnings.insert(warnings.end(), text.unused.begin(), text.unused.end());
+      if (!reflection.empty())
+        warnings.push_back(reflection);
       for (const std::string &warning : warnings)
         show_line(warning);
     }
@@ -253,7 +265,8 @@ namespace
                                           scene_.body(),
                                           scene_.tissue_places(),
                                           scene_.person_mass()),
-                     changes);
+                     changes,
+                     {parse_override("Loads/Recorded/File=of the blast")});
     }
 
     SceneTask blast(const std::string &name, const EntryChanges &changes) const
@@ -280,7 +293,8 @@ namespace
     TaskText text_of(const std::string &section,
                      const io::ApplicationDescription &application,
                      const std::vector<Assignment> &entries,
-                     const EntryChanges &changes) const
+                     const EntryChanges &changes,
+                     const std::vector<Assignment> &given = {}) const
     {
       return task_text(
         section,
@@ -288,7 +302,8 @@ namespace
         prm_,
         wrote_,
         [&](ParameterHandler &prm) { declare(application, prm); },
-        changes);
+        changes,
+        given);
     }
 
     SceneTask solver(const std::string &name,
@@ -330,7 +345,6 @@ std::vector<SceneTask> make_tasks(const PlannedScene &scene,
 {
   const Maker maker(scene, command, prm, collective);
   maker.check();
-  maker.warn_of_unused();
   std::vector<SceneTask> tasks{maker.anatomy(), maker.blast()};
   if (scene.parameters().wants_injury())
     tasks.push_back(maker.biomechanics(tasks.back()));
@@ -341,5 +355,14 @@ std::vector<SceneTask> make_tasks(const PlannedScene &scene,
   if (scene.parameters().wants_injury() && !scene.body().own_mesh())
     tasks.push_back(maker.coarser_biomechanics(tasks.back()));
   return tasks;
+}
+
+
+void warn_of_entries(const PlannedScene &scene,
+                     const io::CommandLine &command,
+                     const ParameterHandler &prm,
+                     Collective &collective)
+{
+  Maker(scene, command, prm, collective).warn();
 }
 } // namespace contrecoup::coupling

@@ -4,6 +4,7 @@
 #include <contrecoup/base/parameters/bounds.h>
 #include <contrecoup/base/parameters/parameters.h>
 #include <contrecoup/base/parameters/selecting.h>
+#include <contrecoup/base/parameters/used_with.h>
 #include <contrecoup/base/system/coordinates.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/log.h>
@@ -80,23 +81,27 @@ namespace
 
 void LoadGauges::declare_parameters(dealii::ParameterHandler &prm)
 {
-  declare_string(
-    prm,
-    "Gauges",
-    "",
-    selecting("Gauges on the body in addition to the phantom's landmarks, "
-              "as \"name: x, y, z; name: ...\" [m]; each is moved to the "
-              "nearest point of the surface, by at most Gauge radius and "
-              "two cells."));
-  declare_double(prm,
-                 "Gauge radius",
-                 "0.02",
-                 bounds::smallest_length,
-                 bounds::length,
-                 "m",
-                 "Radius of the surface patch over which a gauge averages, "
-                 "above 0; without a facet within it, the nearest facet is "
-                 "used.");
+  {
+    const UsedWith used("Loads/Record = true");
+    declare_string(
+      prm,
+      "Gauges",
+      "",
+      selecting("Gauges on the body in addition to the phantom's landmarks, "
+                "as \"name: x, y, z; name: ...\" [m]; each is moved to the "
+                "nearest point of the surface, by at most Gauge radius and "
+                "two cells."));
+    declare_double(prm,
+                   "Gauge radius",
+                   "0.02",
+                   bounds::smallest_length,
+                   bounds::length,
+                   "m",
+                   "Radius of the surface patch over which a gauge averages, "
+                   "above 0; without a facet within it, the nearest facet is "
+                   "used.");
+  }
+  const UsedWith used("Loads/Record or Probes/Injury = true");
   declare_double(prm,
                  "Body mass",
                  "78.5",

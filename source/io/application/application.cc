@@ -64,13 +64,6 @@ namespace io
             return;
           declare(description, prm);
           read_parameters(command, prm);
-          // A scene knows what of its parts the user wrote.
-          if (description.on_cost_estimate)
-            return;
-          warn_of_unused(command, prm);
-          if (description.oversights)
-            for (const std::string &line : description.oversights(prm))
-              log_line(line);
         },
         ExitCode::bad_input);
       if (!text.empty())

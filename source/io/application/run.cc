@@ -110,7 +110,19 @@ namespace io
     // Of a part of a scene, which has a plan of its own, warnings are shown.
     for (const std::string &line : plan_lines(plan_))
       description_.on_cost_estimate ? log_line(line) : show_line(line);
+    warn();
     show_line("The parameters are valid.");
+  }
+
+  void Run::warn()
+  {
+    // A scene knows what of its parts the user wrote.
+    if (description_.on_cost_estimate)
+      return;
+    warn_of_unused(command_, prm_);
+    if (description_.oversights)
+      for (const std::string &line : description_.oversights(prm_))
+        log_line(line);
   }
 
   void Run::write_check(const CostEstimate &cost)
@@ -166,6 +178,7 @@ namespace io
     collective_.run([&]() { plan_ = simulation_.plan(); });
     for (const std::string &line : plan_lines(plan_))
       log_line(line);
+    warn();
     folder_.write_text("parameters.prm", parameter_text_);
     collective_.run([&]() {
       Log::instance().open(folder_.path("log.txt"), folder_.resumes());

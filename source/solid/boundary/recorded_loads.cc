@@ -3,6 +3,7 @@
 
 #include <contrecoup/base/parameters/bounds.h>
 #include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/parameters/used_with.h>
 #include <contrecoup/base/system/coordinates.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/log.h>
@@ -55,6 +56,7 @@ void RecordedLoads::declare_parameters(ParameterHandler &prm)
                "File",
                "",
                "loads.h5 that a blast on a rigid body recorded; empty: none.");
+  const UsedWith used("Loads/Recorded/File not empty");
   declare_double(prm,
                  "Time offset",
                  "0",

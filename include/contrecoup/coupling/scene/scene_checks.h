@@ -18,6 +18,14 @@ namespace contrecoup::coupling
 void check_blast(const PlannedScene &scene, const TaskText &blast);
 
 /**
+ * A warning where the domain that the user wrote lets the front come back from
+ * an open side, taken as a mirror, to a probe before the end of the scene;
+ * empty: it does not.
+ */
+std::string reflection_warning(const PlannedScene &scene,
+                               const TaskText &blast);
+
+/**
  * Checks biomechanics against the blast: it may not last longer than the loads,
  * and its probes must be within an element of the body.
  * @throws InputError that names the entry and what is allowed

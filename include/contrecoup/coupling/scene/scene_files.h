@@ -78,6 +78,7 @@ std::string scene_text(const dealii::ParameterHandler &prm,
  * under @p name that the user @p wrote override @p entries
  * @param declare declares the entries of the application
  * @param changes changes to the resulting entries; empty: none
+ * @param given entries that the task gets beside the file, if it has them
  * @throws InputError for entries that the application does not have
  */
 TaskText
@@ -86,5 +87,6 @@ task_text(const std::string &name,
           const dealii::ParameterHandler &scene,
           const std::vector<Assignment> &wrote,
           const std::function<void(dealii::ParameterHandler &)> &declare,
-          const EntryChanges &changes = {});
+          const EntryChanges &changes = {},
+          const std::vector<Assignment> &given = {});
 } // namespace contrecoup::coupling

@@ -100,13 +100,13 @@ private:
   /// Totals over the run so far.
   struct Totals
   {
-    double sample_begin = -1.; ///< [s]; negative before the arrival
-    double n_times = 0.;       ///< number of samples in the file
+    double sample_begin = -1.;          ///< [s]; negative before the arrival
+    double n_times = 0.;                ///< number of samples in the file
     dealii::Tensor<1, 3> facet_impulse; ///< also that of the samples [N s]
     dealii::Tensor<1, 3> gas_impulse;   ///< [N s]
-    double largest_force = 0.;      ///< [N]
-    double largest_difference = 0.; ///< between facets and gas [N]
-    double time = 0.;               ///< [s]
+    double largest_force = 0.;          ///< [N]
+    double largest_difference = 0.;     ///< between facets and gas [N]
+    double time = 0.;                   ///< [s]
     /// Largest fraction of a facet's peak that no sample shows, of the facets
     /// whose peak exceeds counted_fraction of the highest [-].
     double peak_loss = 0.;

@@ -38,6 +38,8 @@ namespace io
   private:
     CostEstimate estimate();
     void write_check(const CostEstimate &cost);
+    /// Shows which entries have no effect, and other oversights.
+    void warn();
     void prepare();
     /// Where more than a few steps were halved.
     void warn_of_retries() const;

@@ -20,8 +20,9 @@ namespace contrecoup::solid
  * Loads recorded by another run. Each facet takes the pressure of the nearest
  * recorded facet with a similar normal. Recorded samples are means over time
  * intervals; pressure is interpolated linearly between the midpoints of
- * intervals, which conserves impulse, and is constant after the last one. One global factor matches the impulse on
- * this surface to that on the recorded surface.
+ * intervals, which conserves impulse, and is constant after the last one. One
+ * global factor matches the impulse on this surface to that on the recorded
+ * surface.
  */
 class RecordedLoads : public PressureHistory
 {
