@@ -254,12 +254,12 @@ def _gauge_table(scene, gauges):
         if measures["peak"] <= 0. or name not in gauges:
             continue
         lowest = float(gauges[name].min())
+        is_cut = measures["cut off"] > 0.
         rows.append((
             name, page.number(1e3 * measures["arrival"]),
             page.number(1e-3 * measures["peak"]),
-            page.number(measures["impulse"]),
-            page.at_least(1e3 * measures["positive phase"],
-                          measures["cut off"] > 0.),
+            page.at_least(measures["impulse"], is_cut),
+            page.at_least(1e3 * measures["positive phase"], is_cut),
             page.number(1e-3 * lowest) if lowest < -1. else "–",
             page.number(1e6 * signals.rise_time(time, gauges[name]), 2)))
     header = ("place", "arrival [ms]", "peak [kPa]", "impulse [Pa s]",

@@ -241,10 +241,12 @@ def _certainty(scene, judged):
 
 
 def _tables(scene, judged):
-    """Where the run and the tables differ by more than their errors."""
+    """Where the run and the tables differ by more than their errors: one item,
+    which says each difference once."""
     parts = []
     death = injury_table.find(judged, "lung_lethality")
-    if verdict.disagrees(scene, judged):
+    disagrees = verdict.disagrees(scene, judged)
+    if disagrees:
         parts.append(
             "The tables have another verdict on the lungs: death with a "
             "probability of "
@@ -263,7 +265,8 @@ def _tables(scene, judged):
             continue
         words = COMPARED.get(row.get("name"), str(row.get("name")))
         if row.get("name") in CHANCES:
-            if page.chance(here) != page.chance(known):
+            told = disagrees and row.get("name") == "lung_lethality"
+            if page.chance(here) != page.chance(known) and not told:
                 chances.append(f"the {words} is {page.chance(known)}, where "
                                f"this run has {page.chance(here)}")
         else:
@@ -281,8 +284,9 @@ def _tables(scene, judged):
                "measured)") + "; loads and verdicts carry "
             + ("these differences." if len(differing) > 1
                else "this difference."))
-    return parts + ["By the tables, " + page.joined(chances) + "."
-                    for _ in chances[:1]]
+    if chances:
+        parts.append("By the tables, " + page.joined(chances) + ".")
+    return [" ".join(parts)] if parts else []
 
 
 def _verdicts(scene, judged):

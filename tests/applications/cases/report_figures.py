@@ -877,10 +877,11 @@ def check_mesh(page, files):
                 ("volume", litre, "volume [m^3]"),
                 ("mass", row["mass [kg]"], "mass [kg]"),
                 ("time step", row["largest time step [µs]"] + " µs",
-                 "time step [s]")):
+                 "time step [s]"),
+                ("pieces", row["pieces"], "connected components")):
             require_same(shown, float(quality[column]),
                          f"{row['tissue']}, {header}")
-    return 4 * len(rows)
+    return 5 * len(rows)
 
 
 def quantity_in(cell, scale):
