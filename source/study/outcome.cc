@@ -9,6 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -64,8 +65,11 @@ namespace
     return text.find(words) != std::string::npos;
   }
 
-  /// Judges a process that exited with code 0.
-  void judge_finished(const RunRecord &record, Outcome &outcome)
+  /// Judges a process that exited with code 0. @param is_solver whether it left
+  /// a summary with the number of retries
+  void judge_finished(const RunRecord &record,
+                      const bool is_solver,
+                      Outcome &outcome)
   {
     if (record.status != "finished")
     {
@@ -83,7 +87,7 @@ namespace
                        " cut back";
     }
     else
-      outcome.kind = "stable";
+      outcome.kind = is_solver ? "stable" : "finished";
   }
 
   std::string reason_of(const RunRecord &record, const std::string &error_file)
@@ -101,7 +105,7 @@ namespace
 
 bool Outcome::is_usable() const
 {
-  return kind == "stable" || kind == "retried";
+  return kind == "stable" || kind == "retried" || kind == "finished";
 }
 
 Outcome judge(const ProcessEnd &end,
@@ -123,7 +127,10 @@ Outcome judge(const ProcessEnd &end,
     outcome.reason = "it crashed: " + std::string(strsignal(end.signal));
   }
   else if (end.exit_code == 0)
-    judge_finished(record, outcome);
+    judge_finished(record,
+                   !std::isnan(record.retries) &&
+                     std::filesystem::exists(folder + "/summary.json"),
+                   outcome);
   else
   {
     outcome.kind = end.exit_code == 1   ? "refused"

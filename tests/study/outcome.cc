@@ -30,6 +30,9 @@ TEST(Outcome, IsJudgedByCodeAndSummary)
 {
   EXPECT_EQ(judged({}, R"({"status": "finished", "retries": 0})").kind,
             "stable");
+  const Outcome meshed = judged({}, R"({"status": "finished"})");
+  EXPECT_EQ(meshed.kind, "finished");
+  EXPECT_TRUE(meshed.is_usable());
   const Outcome retried = judged({}, R"({"status": "finished", "retries": 3})");
   EXPECT_EQ(retried.kind, "retried");
   EXPECT_EQ(retried.reason, "3 steps were cut back");

@@ -12,6 +12,7 @@ from plot.figures import work_precision
 # Outcome: colour, letter in the map, words of the legend.
 OUTCOMES = {
     "stable": ("#009E73", "", "stable"),
+    "finished": ("#009E73", "", "finished"),
     "retried": ("#F0E442", "r", "stable after cutting back steps"),
     "inaccurate": ("#E69F00", "", "finished, but less accurate than wanted"),
     "refused": ("#BBBBBB", "–", "refused, with a line that says why"),
@@ -23,7 +24,7 @@ OUTCOMES = {
 
 def judged(row, study):
     """The outcome of a row, for the map."""
-    usable = row["outcome"] in ("stable", "retried")
+    usable = row["outcome"] in ("stable", "retried", "finished")
     if usable and row["error"] and row["error"] > study["wanted"] > 0.:
         return "inaccurate"
     return row["outcome"]
@@ -56,7 +57,8 @@ def draw_stability_map(study, folder):
         cells[j][i] = kinds.index(kind)
         axis.annotate(letter_of(row, kind), (i, j), ha="center", va="center",
                       fontsize=7, color="white" if kind in
-                      ("unstable", "failed", "stable") else "black")
+                      ("unstable", "failed", "stable", "finished")
+                      else "black")
     colours = ListedColormap([OUTCOMES[kind][0] for kind in kinds])
     grid = [[float("nan") if cell is None else cell for cell in line]
             for line in cells]

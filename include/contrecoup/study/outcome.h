@@ -13,7 +13,8 @@ namespace contrecoup::study
 {
 /**
  * Outcome of a variant. Its kind is one of
- *   stable: finished;
+ *   stable: finished, of a solver, whose steps may fail;
+ *   finished: of another program: scene, anatomy;
  *   retried: finished after step size reductions;
  *   unstable: numerical failure;
  *   refused: invalid input;

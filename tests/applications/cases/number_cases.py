@@ -125,10 +125,8 @@ def check_tables(files):
 
 
 def head_of(text):
-    """What is going to be computed: the first lines of a screen after warnings
-    of entries without effect, such as the file's Distance beside a Place."""
-    lines = [line for line in text.splitlines()
-             if " set but not used: " not in line]
+    """What is going to be computed: the first lines of a screen."""
+    lines = text.splitlines()
     return lines[:1] + [line for line in lines if line.startswith(
         ("  expected in free air", "  changed: "))]
 
