@@ -117,7 +117,7 @@ def verdict_figure(scene, verdicts):
         return NOT_REACHED
     places, marks = known.places(), []
     for one in verdicts:
-        ear = one.entry.name.removeprefix("ear_rupture_")
+        ear = one.entry.name.removeprefix("ear_rupture_") if one.entry else ""
         names = [name for name in (ear, *PLACES.get(one.subject, ()))
                  if name in places]
         if not names and one.subject == "brain":

@@ -171,7 +171,7 @@ def _rows(scene):
     rows = scene.list_of("table_comparison") or _answer_rows(scene)
     return [row for row in rows if not (
         str(row.get("name")).startswith("lung_")
-        and injury_table.lungs_by(scene) == "skin")]
+        and injury_table.is_trunk_far(scene))]
 
 
 def _answer_rows(scene):
@@ -211,10 +211,14 @@ def _loads_alone(scene):
 
 def _certainty(scene, judged):
     """How sure the answer is, a sentence each."""
-    parts = ["The wave in the open is that at the nearest skin. Chest and lungs "
-             "are farther from the charge: death by lung injury follows from "
-             "the reflected load on their skin."] \
-        if injury_table.lungs_by(scene) == "skin" else []
+    parts = []
+    if injury_table.lungs_by(scene) == "skin":
+        parts.append((
+            "The wave in the open is that at the nearest skin. Chest and lungs "
+            "are farther from the charge: death"
+            if injury_table.is_trunk_far(scene) else
+            "No probe beside the body has the wave in the open: death")
+            + " by lung injury follows from the reflected load on the skin.")
     parts += _tables(scene, judged) + _verdicts(scene, judged)
     parts += _afterburn(scene) + _model_bias(scene)
     parts += _loads(scene) + EnergyAudit(scene).reservations() + _limits(scene)

@@ -27,7 +27,6 @@ SKIN_NAMES = {("chest_wall_velocity", "trunk"): "chest_wall_mean",
 # as the body.
 AIR_NAMES = {"lung_exposure": "lung_exposure_air",
              "lung_lethality": "lung_lethality"}
-AS_FAR = 0.05  # relative difference
 # Beyond this, relative to the nearest skin, the trunk is not where the probe is.
 FARTHER = 1.15
 OF_THE_SKIN = ("of the reflected load on the skin of the trunk: trunk and "
@@ -221,21 +220,25 @@ def has_brain(scene):
 
 
 def has_probe_at_body(scene):
-    """Whether the first probe in the air is as far from the charge as the
-    body."""
-    charge, probe = scene.charge_place(), scene.probe_place(1)
-    distance = scene.fact("distance")
-    return charge is not None and probe is not None and bool(distance) \
-        and abs(math.dist(charge, probe) / distance - 1.) < AS_FAR
+    """Whether the first probe in the air is the scene's own, as far from the
+    charge as the body."""
+    return scene.facts.get("probe_beside_body") is not None
 
 
 def lungs_by(scene):
     """What tells whether lungs kill: the wave at the "probe" beside the body,
-    the load on the "skin" where the trunk is farther from the charge than that
-    probe, as with a charge at the feet, or nothing ("")."""
-    if not has_chest(scene) or not has_probe_at_body(scene):
+    the load on the "skin" where there is no such probe or the trunk is farther
+    from the charge than that, as with a charge at the feet, or nothing ("")."""
+    if not has_chest(scene):
         return ""
-    return "skin" if are_far(scene, (*SIDES, *ARMS.values())) else "probe"
+    return "probe" if has_probe_at_body(scene) and not is_trunk_far(scene) \
+        else "skin"
+
+
+def is_trunk_far(scene):
+    """Whether chest, back and upper arms are farther from the charge than the
+    nearest skin."""
+    return are_far(scene, (*SIDES, *ARMS.values()))
 
 
 def are_far(scene, names):

@@ -54,9 +54,12 @@ def _bounds(bounds):
 
 
 def _verdict(one):
-    return {"subject": one.subject, "words": str(one), "severity": one.kind,
-            "measure": one.entry.name, "value": _number(one.entry.value),
-            **_bounds(one.entry.bounds()),
+    told = {"subject": one.subject, "words": str(one), "severity": one.kind}
+    if one.entry is None:
+        return {**told, "measure": None, "value": None, **_bounds(None),
+                "is_certain": None}
+    return {**told, "measure": one.entry.name,
+            "value": _number(one.entry.value), **_bounds(one.entry.bounds()),
             "is_certain": one.entry.is_certain()}
 
 

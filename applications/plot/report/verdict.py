@@ -40,7 +40,7 @@ def verdicts(scene, judged):
 def sentence(found):
     """Verdicts as one sentence."""
     text = "; ".join(str(one) for one in found)
-    if any(one.entry.error is None for one in found):
+    if any(one.entry is not None and one.entry.error is None for one in found):
         text += "; numerical error unknown"
     return text[:1].upper() + text[1:] + "." if text else (
         "The injury is unknown: the scene has neither gauges at chest and ears "
@@ -163,14 +163,21 @@ def _load(judged):
 
 def _lungs(judged):
     entry = injury_table.find(judged, "chest_wall_mean")
-    if entry is None:
-        return None
     load = _load(judged)
-    if load is not None and load.exceeded() and not entry.exceeded():
+    if load is not None and load.exceeded() and not (
+            entry is not None and entry.exceeded()):
         # Of two measures the worse one counts.
         return Verdict("lungs", "lung injury possible", "mid",
                        f"load {load.shown()} of the median lethal one, above "
                        f"the {load.meaning()}", load)
+    if entry is None and load is not None:
+        return Verdict("lungs", "no lung injury", injury_table.severity(load),
+                       f"by the load alone, {load.shown()} of the median "
+                       "lethal one", load)
+    if entry is None:
+        mesh = injury_table.find(judged, "injury_chest_wall_velocity_mesh")
+        return mesh and Verdict("lungs", "lungs not judged", "none",
+                                "no gauge is at chest or back")
     here = _levels(entry, (entry.value, entry.value))
     detail = ""
     if entry.error is not None:

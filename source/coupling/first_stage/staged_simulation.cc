@@ -403,9 +403,10 @@ void StagedSimulation<dim>::finish(const std::string &folder)
   if (!first_)
     scene_.finish(folder);
   else
-    log_line("WARNING: the run has ended in its first stage: fields, tables and "
-             "files of the second one (reference, profiles, gauges, injuries, "
-             "maps, loads) are missing; a later Time/End time has them");
+    log_line(
+      "WARNING: the run has ended in its first stage: fields, tables and "
+      "files of the second one (reference, profiles, gauges, injuries, "
+      "maps, loads) are missing; a later Time/End time has them");
 }
 
 

@@ -158,7 +158,7 @@ std::vector<ComparedQuantity> compare_with_tables(const SceneParameters &scene,
   // The probe may be elsewhere by the user's entry.
   const double reference =
     result_of(fine, "probe_1_reference_peak_overpressure");
-  if (!answer ||
+  if (!answer || !layout.probe ||
       !(std::abs(reference / answer->in_the_open.overpressure - 1.) < 1e-3))
     return {};
   const double error =

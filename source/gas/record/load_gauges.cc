@@ -18,6 +18,7 @@
 #include <filesystem>
 #include <iomanip>
 #include <limits>
+#include <optional>
 #include <sstream>
 
 namespace contrecoup::gas
@@ -60,21 +61,23 @@ namespace
   }
 
 
-  /// Whether a position is in the box and, in 2-D, in the plane of the scene.
+  /// The position in the box and, in 2-D, in the plane of the scene that is
+  /// nearest to a place; none where that is farther than @p tolerance [m].
   template <int dim>
-  bool is_inside(const Point<3> &place,
-                 const Point<dim> &lower,
-                 const Point<dim> &upper)
+  std::optional<Point<3>> place_inside(const Point<3> &place,
+                                       const Point<dim> &lower,
+                                       const Point<dim> &upper,
+                                       const double tolerance)
   {
-    const double round_off = 1e-9 * lower.distance(upper);
+    Point<3> inside;
     for (unsigned int d = 0; d < 3; ++d)
-    {
-      const double low = d < dim ? lower[d < dim ? d : 0] : 0.;
-      const double high = d < dim ? upper[d < dim ? d : 0] : 0.;
-      if (place[d] < low - round_off || place[d] > high + round_off)
-        return false;
-    }
-    return true;
+      inside[d] =
+        d < dim
+          ? std::clamp(place[d], lower[d < dim ? d : 0], upper[d < dim ? d : 0])
+          : 0.;
+    if (place.distance(inside) > tolerance)
+      return {};
+    return inside;
   }
 } // namespace
 
@@ -123,27 +126,31 @@ void LoadGauges::parse_parameters(dealii::ParameterHandler &prm,
   places_.clear();
   radius_ = read_double(prm, "Gauge radius");
   body_mass_ = read_double(prm, "Body mass");
+  // The middle of a body that was scanned is not exactly a plane of symmetry.
+  const double tolerance = 0.25 * radius_;
   for (const Landmark &landmark : body.landmarks())
-    if (is_inside(landmark.place, lower, upper))
-      add_place(landmark.name, landmark.place, body);
+    if (const auto place =
+          place_inside(landmark.place, lower, upper, tolerance))
+      add_place(landmark.name, *place, body);
   for (const std::string &text : split(prm.get("Gauges"), ';'))
   {
     if (text.empty())
       continue;
     const Landmark given = read_place<dim>(text);
-    const Point<3> place = body.project(given.place);
-    const double away = given.place.distance(place);
+    const Point<3> nearest = body.project(given.place);
+    const double away = given.place.distance(nearest);
     if (away > radius_ + 2. * cell)
       throw InputError("Loads/Gauges: \"" + given.name + "\" is " +
                        brief(away) + " m from the surface of the body, " +
                        "more than Gauge radius and two cells of " +
                        brief(cell) + " m; the nearest point of it is " +
-                       coordinates(place));
-    if (!is_inside(place, lower, upper))
+                       coordinates(nearest));
+    const auto place = place_inside(nearest, lower, upper, tolerance);
+    if (!place)
       throw InputError("Loads/Gauges: the surface point nearest to \"" +
-                       given.name + "\", " + coordinates(place) +
+                       given.name + "\", " + coordinates(nearest) +
                        " m, is outside of the domain");
-    add_place(given.name, place, body);
+    add_place(given.name, *place, body);
   }
   records_.assign(places_.size(), {});
 }

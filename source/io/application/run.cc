@@ -231,11 +231,12 @@ namespace io
   {
     constexpr double largest_share = 0.05;
     if (state_.retries > largest_share * state_.step)
-      log_line("WARNING: steps became unphysical and were halved " +
-               std::to_string(state_.retries) + " times in " +
-               std::to_string(state_.step) +
-               " steps: peaks may be wrong by a tenth and more; a smaller CFL or "
-               "Courant number avoids it");
+      log_line(
+        "WARNING: steps became unphysical and were halved " +
+        std::to_string(state_.retries) + " times in " +
+        std::to_string(state_.step) +
+        " steps: peaks may be wrong by a tenth and more; a smaller CFL or "
+        "Courant number avoids it");
   }
 
   void Run::summarise(const std::string &status, const std::string &message)

@@ -138,14 +138,9 @@ class Files:
         return float(self.entry(stage, entry) or usual)
 
     def has_probe_at_body(self):
-        """Whether the first probe of the blast is as far from the charge as
-        the body, within 5 %."""
-        point = self.entry("blast", "Points").split(";")[0].split(",")
-        if len(point) != 3 or not self.scene.get("distance"):
-            return False
-        away = math.dist([float(x) for x in point],
-                         self.scene["charge_place"])
-        return abs(away / self.scene["distance"] - 1.) < 0.05
+        """Whether the first probe of the blast is that of the scene beside the
+        body, and not one of the user's."""
+        return self.scene.get("probe_beside_body") is not None
 
     def _is_trunk_far(self):
         """Whether chest, back and upper arms are farther from the charge than
@@ -166,8 +161,11 @@ class Files:
         return OF_SKIN[key], self.skin[key]
 
     def _lungs_by_the_skin(self, skin):
-        """Replaces the wave beside the body by the load on a far trunk."""
-        if self.trunk_is_far and ("lung_exposure", "probe 1") in self.air:
+        """Replaces the wave beside a person by the load on the trunk where that
+        is far or no probe is beside the person."""
+        is_person = "posture" in self.scene.get("person", {})
+        if is_person and ("lung_exposure", self.side) in skin and (
+                self.trunk_is_far or not self.has_probe_at_body()):
             skin.pop(("lung_exposure", "probe 1"), None)
             place = math.log(skin["lung_exposure", self.side]) / 0.1788
             skin["lung_lethality", "probe 1"] = 0.5 * math.erfc(

@@ -24,7 +24,8 @@ namespace
 constexpr double spacing = 0.02;
 
 /// A plate 1 m wide and 1 mm thick in z = 0, and gauges on it.
-LoadGauges make_gauges(const std::vector<std::string> &lines)
+LoadGauges make_gauges(const std::vector<std::string> &lines,
+                       const Point<3> &lower = Point<3>(-2, -2, -2))
 {
   dealii::ParameterHandler prm;
   RigidBody::declare_parameters(prm);
@@ -45,8 +46,7 @@ LoadGauges make_gauges(const std::vector<std::string> &lines)
   body.parse_parameters(prm);
   LoadGauges gauges;
   const Section section(prm, "Loads");
-  gauges.parse_parameters(
-    prm, body, Point<3>(-2, -2, -2), Point<3>(2, 2, 2), 0.02);
+  gauges.parse_parameters(prm, body, lower, Point<3>(2, 2, 2), 0.02);
   return gauges;
 }
 
@@ -136,6 +136,19 @@ TEST(LoadGauges, TakeTheNearestFacetWhereThePatchIsSmall)
     {"Loads/Gauges=here: 0.104, 0.216, 0.0005", "Loads/Gauge radius=0.001"});
   gauges.reinit(plate(), all_facets());
   EXPECT_NEAR(gauges.partial_sums(overpressure)[0], 1.1 + 0.21, 1e-12);
+}
+
+
+// The middle of a scanned body is off the plane of symmetry by round-off.
+TEST(LoadGauges, BelongToTheHalfWhosePlaneTheyLieOn)
+{
+  const auto at = [](const double y) {
+    return make_gauges({"Loads/Gauges=back: 0.1, " + exact(y) + ", 0.0005"},
+                       Point<3>(-2, 0, -2))
+      .names();
+  };
+  EXPECT_EQ(at(-1e-4), std::vector<std::string>{"back"});
+  EXPECT_THROW(at(-0.1), InputError);
 }
 
 
