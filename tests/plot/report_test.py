@@ -460,13 +460,18 @@ class ReportTest(unittest.TestCase):
             is_published=False, source="ratio of energies", answer={
                 "in_the_open": {**tiny_scene.EFFECT, "lung_lethality": 0.95},
                 "before_a_wall": {"lung_lethality": 0.999}}))
+        # The run ends before the positive phase does.
+        change_json(folder, "blast/summary.json", lambda facts:
+                    facts["results"].update(
+                        probe_1_cut_off=tiny_scene.with_unit(1., "-")))
         words = text_of(Made(folder).page)
         self.expect(words, "Survival is uncertain (death by lung injury: less "
                     "than 0.1 % by this run, 95 % by the tables)",
                     "The tables have another verdict on the lungs",
                     "(the TNT equivalence is a ratio of energies, not measured)",
                     "ratio of energies, not measured), without ground",
-                    "less than 0.1 % (more than 99 % before a wall)")
+                    "less than 0.1 % (more than 99 % before a wall)",
+                    "free-field load over the 50 % lethality load ≥ 0.432")
 
     def test_pressure_of_a_place(self):
         """Averaged over the tissue; of the element in older runs."""

@@ -48,13 +48,13 @@ class Judged:
     probability is of the measure @p of which follows it by a @p curve."""
 
     def __init__(self, name, value, unit, known, error, error_of,
-                 coarser=None, curve="", of=None):
+                 coarser=None, curve="", of=None, is_cut=False):
         self.name, self.value, self.unit = name, value, unit
         self.title, self.thresholds = known.title, known.thresholds
         self.source, self.limits = known.source, known.limits
         self.is_own = known.is_own
         self.coarser, self.error, self.error_of = coarser, error, error_of
-        self.curve, self.of = curve, of
+        self.curve, self.of, self.is_cut = curve, of, is_cut
         self.is_fraction = bool(curve) or self.title.startswith("fraction ")
         self.has_verdict = bool(self.thresholds) and not known.is_exposure
 
@@ -94,9 +94,10 @@ class Judged:
 
     def shown(self, value=None):
         """The value of this run, or another one, in words."""
+        mark = "≥ " if value is None and self.is_cut else ""
         value = self.value if value is None else value
         return page.chance(value) if self.is_fraction \
-            else page.quantity(value, self.unit)
+            else mark + page.quantity(value, self.unit)
 
     def shown_limit(self, limit):
         """A threshold in words."""
@@ -176,9 +177,19 @@ def judge(scene):
             error = _at_least(error, load_impulses.difference(scene))
         judged.append(Judged(name, value, unit, known, error, causes,
                              None if other is None else other[0],
-                             curve if of is not None else "", of))
+                             curve if of is not None else "", of,
+                             _is_cut(scene, name, side)))
     _share_errors(judged)
     return judged
+
+
+def _is_cut(scene, name, side):
+    """Whether a load of the lungs is a lower limit: the run ends before the
+    positive phase that it follows from."""
+    if name == "lung_exposure_air":
+        return bool(scene.blast.found("results", "probe_1_cut_off"))
+    return name == SKIN_NAMES.get(("lung_exposure", side)) and \
+        scene.gauge_measures().get(side, {}).get("cut off", 0.) > 0.
 
 
 def _at_least(error, least):

@@ -14,6 +14,7 @@
 #include <map>
 #include <numeric>
 #include <optional>
+#include <set>
 
 namespace contrecoup::gas
 {
@@ -22,6 +23,8 @@ namespace
   const std::string chest = "chest", back = "back";
   const std::vector<std::string> arms{"left upper arm", "right upper arm"};
   const std::string device = "device ";
+  constexpr const char *cut_off_words =
+    "; a lower limit: the run ends before the positive phase does";
   const std::string header = "measure,place,value,unit,definition\n";
 
   std::string row(const std::string &measure,
@@ -130,8 +133,10 @@ namespace
   }
 
 
+  /// @param cut places at which the run ends before the positive phase does
   std::string
-  lung_exposure_rows(const std::map<std::string, LoadInjury> &injuries)
+  lung_exposure_rows(const std::map<std::string, LoadInjury> &injuries,
+                     const std::set<std::string> &cut)
   {
     std::string text;
     for (const std::string &place : {chest, back, arms[0], arms[1]})
@@ -144,7 +149,8 @@ namespace
                     "-",
                     "peak overpressure on the skin over the free-field load "
                     "that half survive for this positive phase and body mass "
-                    "(Bowen et al. 1968)");
+                    "(Bowen et al. 1968)" +
+                      std::string(cut.count(place) > 0 ? cut_off_words : ""));
     }
     return text;
   }
@@ -274,6 +280,7 @@ std::string gauge_injury_table(const std::vector<GaugeBlast> &gauges,
                                const double body_mass)
 {
   std::map<std::string, LoadInjury> injuries;
+  std::set<std::string> cut;
   std::string ears;
   for (const GaugeBlast &gauge : gauges)
   {
@@ -287,6 +294,8 @@ std::string gauge_injury_table(const std::vector<GaugeBlast> &gauges,
                   {gauge.blast.peak, gauge.blast.duration},
                   body_mass);
     injuries[gauge.place] = injury;
+    if (is_cut_off(gauge.blast, times.back()))
+      cut.insert(gauge.place);
     if (is_ear(gauge.place))
       ears += row("eardrum_rupture",
                   gauge.place,
@@ -296,7 +305,7 @@ std::string gauge_injury_table(const std::vector<GaugeBlast> &gauges,
                   "16E, 1992)");
   }
   const std::string rows = chest_wall_rows(injuries) + device_rows(injuries) +
-                           lung_exposure_rows(injuries) + ears;
+                           lung_exposure_rows(injuries, cut) + ears;
   return rows.empty() ? "" : header + rows;
 }
 
