@@ -238,6 +238,9 @@ void print_audit(const PlannedScene &scene,
   for (const std::string &line : io::audit_lines(
          named(whole_plan(scene, folder), tasks), named(audit, tasks)))
     log_line(line);
+  // The report, whose first lines the terminal shows, says it by itself.
+  if (scene.parameters().draws_report)
+    return;
   const std::string warning = warning_of(
     compare_with_tables(
       scene.parameters(), scene.layout(), scene.person_mass(), folder),
