@@ -221,7 +221,7 @@ endfunction()
 #   disk_anew     both for a run without steps, on 1 and each of RANKS, which then
 #                 leaves the COMPARE files
 #   other_build   a checkpoint of another build is resumed with a word, or refused
-#   one_number    six scenes; the first lines in number_cases.py tell
+#   one_number    ARGUMENTS <scene>...; the first lines in number_cases.py tell
 #   main_job*     OTHER_FILE: the first lines in
 #                 tests/applications/cases/main_job_cases.py tell
 #   study_*, scene_*, folder_*  the first lines in study_cases.py, scene_cases.py

@@ -5,13 +5,16 @@ set(_first_look "Scene/Accuracy=first look" "Scene/End time=0.0026"
 
 contrecoup_add_application_test(main_job main_job FILE scene/quickstart.prm
   MPI 2 CORES 1 TIMEOUT 1800 SET ${_first_look})
-# Six small scenes: each quantity has one value in all that they leave and print.
-contrecoup_add_application_test(one_number one_number FILE scene/quickstart.prm
-  RANKS 2 TIMEOUT 900
+# Small scenes: each quantity has one value in all that they leave and print.
+set(_small FILE scene/quickstart.prm RANKS 2 TIMEOUT 900
   SET "Scene/Accuracy=first look" "Scene/Cell size=0.08" "Scene/Element size=0.02"
     "Scene/Forecast=false" "Blast/Output/Fields interval=1e-3"
     "Biomechanics/Output/Fields interval=1e-3" "Blast/Output/Pictures=false"
     "Anatomy/Output/Pictures=false")
+contrecoup_add_application_test(one_number one_number ${_small}
+  ARGUMENTS back_in_free_air own_explosive_before_a_child without_first_stage)
+contrecoup_add_application_test(one_number_more one_number ${_small}
+  ARGUMENTS front side_of_a_small_person from_the_left LABELS nightly)
 # The report of the first one in a browser without a window.
 _contrecoup_register_test(scene_main_job_page TIMEOUT 900 LABELS main_job
   COMMAND ${PROJECT_SOURCE_DIR}/tests/plot/page_checks.py

@@ -29,7 +29,7 @@ set(_brief "Scene/Accuracy=first look" "Scene/Cell size=0.04"
 # Loads, probes, injuries and fields are those of an earlier run; quantities that
 # are zero by symmetry are compared absolutely. Checkpoints let killed runs resume.
 contrecoup_add_application_test(runs scene_ranks,regression,scene_sigkill
-  FILE ${_head} RANKS 2 4 CORES 1 TIMEOUT 1800
+  FILE ${_head} RANKS 2 CORES 1 TIMEOUT 1800
   SET ${_brief} "Biomechanics/Elements/Precision=double"
     "Blast/Method/Precision=double" "Blast/Output/Fields=false"
     "Biomechanics/Output/Fields interval=1e-3"
@@ -74,7 +74,7 @@ contrecoup_add_application_test(own_mesh scene_own_mesh FILE ${_head}
 set_tests_properties(scene_own_mesh PROPERTIES FIXTURES_REQUIRED head_mesh)
 # It is the blast that fills the disk: each picture of a plane has some 3 MB.
 contrecoup_add_application_test(full_disk scene_full_disk FILE ${_head}
-  RANKS 2 3 CORES 1
+  RANKS 3 CORES 1
   SET ${_brief} "Scene/Cell size=0.02" "Scene/Question=loads"
     "Scene/Element size=0.006" "Scene/End time=0.0005"
     "Blast/Pictures/Resolution=1024" TIMEOUT 600)
