@@ -392,19 +392,21 @@ def links(root):
 
 
 def citation(root):
-    """CITATION.cff has the version of the build."""
+    """CITATION.cff and the newest section of CHANGELOG.md have the version of
+    the build."""
     files = (("CMakeLists.txt", r"project\(\w+ VERSION ([\d.]+)"),
-             ("CITATION.cff", r"version: ([\d.]+)"))
+             ("CITATION.cff", r"version: ([\d.]+)"),
+             ("CHANGELOG.md", r"## (\d[\d.]*)"))
     found = []
     for path, pattern in files:
         lines = lines_of(root, path) if os.path.exists(
             os.path.join(root, path)) else []
         found += [match[1] for line in lines
-                  if (match := re.match(pattern, line))]
-    if len(found) == 2 and found[0] == found[1]:
+                  if (match := re.match(pattern, line))][:1]
+    if len(found) == 3 and len(set(found)) == 1:
         return []
-    return ["CITATION.cff: its version must be that of CMakeLists.txt; found: "
-            + (", ".join(found) or "none")]
+    return ["CITATION.cff and CHANGELOG.md: their version must be that of "
+            "CMakeLists.txt; found: " + (", ".join(found) or "none")]
 
 
 def clang_tool(tool):

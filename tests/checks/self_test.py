@@ -56,6 +56,7 @@ class TreeTest(unittest.TestCase):
         self.write("applications/blast/main.cc", TOP + "int main()\n{}\n")
         self.write("CMakeLists.txt", "project(contrecoup VERSION 1.2.3)\n")
         self.write("CITATION.cff", "cff-version: 1.2.0\nversion: 1.2.3\n")
+        self.write("CHANGELOG.md", "# Changelog\n\n## 1.2.3\n\n## 1.2.2\n")
 
     def write(self, path, text):
         path = os.path.join(self.root, path)
@@ -223,6 +224,10 @@ class TreeTest(unittest.TestCase):
         for text in ("version: 1.2.4\n", "cff-version: 1.2.3\n"):
             self.write("CITATION.cff", text)
             self.expect("citation", "CITATION.cff")
+        self.write("CITATION.cff", "version: 1.2.3\n")
+        for text in ("## 1.2.4\n\n## 1.2.3\n", "## Unreleased\n"):
+            self.write("CHANGELOG.md", text)
+            self.expect("citation", "CHANGELOG.md")
 
     def test_misspelled(self):
         if not shutil.which("codespell") and not os.environ.get("CI"):
