@@ -7,6 +7,7 @@
 #include <contrecoup/base/system/exceptions.h>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <filesystem>
 #include <fstream>
@@ -39,6 +40,11 @@ void declare_all(ParameterHandler &prm)
 void set(ParameterHandler &prm, const std::string &text)
 {
   apply_assignments({parse_override(text)}, prm);
+}
+
+std::string find_text(const ParameterHandler &prm, const std::string &what)
+{
+  return find_parameters(prm, what, ParameterForm::text);
 }
 
 std::string refusal(const std::string &text)
@@ -210,16 +216,16 @@ TEST(Parameters, OneSectionOrTheEntriesWithAWordAreFound)
 {
   ParameterHandler prm;
   declare_all(prm);
-  const std::string by_name = find_parameters(prm, "density");
+  const std::string by_name = find_text(prm, "density");
   EXPECT_NE(by_name.find("set Density = 1.4\n"), std::string::npos);
   EXPECT_EQ(by_name.find("Table"), std::string::npos);
-  EXPECT_NE(find_parameters(prm, "of the gas").find("set Density"),
+  EXPECT_NE(find_text(prm, "of the gas").find("set Density"),
             std::string::npos);
-  EXPECT_NE(find_parameters(prm, "region").find("subsection Region *\n"),
+  EXPECT_NE(find_text(prm, "region").find("subsection Region *\n"),
             std::string::npos);
   try
   {
-    find_parameters(prm, "denisty");
+    find_text(prm, "denisty");
     ADD_FAILURE();
   }
   catch (const InputError &error)
@@ -227,6 +233,22 @@ TEST(Parameters, OneSectionOrTheEntriesWithAWordAreFound)
     EXPECT_NE(std::string(error.what()).find("did you mean \"Density\"?"),
               std::string::npos);
   }
+}
+
+TEST(Parameters, JsonHasUnitRangeAndChoices)
+{
+  ParameterHandler prm;
+  declare_all(prm);
+  const auto json = nlohmann::ordered_json::parse(
+    find_parameters(prm, "", ParameterForm::json));
+  const auto &density = json.at("Density");
+  EXPECT_EQ(density.at("value"), "1.4");
+  EXPECT_EQ(density.at("unit"), "kg/m^3");
+  EXPECT_EQ(density.at("range"), nlohmann::ordered_json({0, 100000}));
+  EXPECT_EQ(density.at("allowed"), "a number from 0 to 100000");
+  EXPECT_FALSE(density.contains("choices"));
+  EXPECT_EQ(find_parameters(prm, "Density", ParameterForm::json),
+            nlohmann::ordered_json({{"Density", density}}).dump(2));
 }
 
 TEST(Parameters, AnnotationHasMeaningUnitAndRange)

@@ -80,7 +80,9 @@ TEST(CommandLine, SeveralFilesAreForCheckAlone)
   for (const Words &words :
        {Words{"program", "a.prm", "b.prm"},
         Words{"program", "a.prm", "--check", "--output", "b.prm"},
-        Words{"program", "a.prm", "b.prm", "--check", "--print-parameters"}})
+        Words{"program", "a.prm", "b.prm", "--check", "--print-parameters"},
+        Words{
+          "program", "a.prm", "b.prm", "--check", "--print-parameters=json"}})
     EXPECT_EQ(single_commands(words), std::vector<Words>{words});
 }
 
@@ -144,6 +146,15 @@ TEST(CommandLine, WordAfterPrintParametersIsNoFile)
   EXPECT_EQ(command.wanted_parameters, "Time");
   EXPECT_EQ(command.parameter_file, "");
   EXPECT_EQ(parse({"--print-parameters", "a.prm"}).parameter_file, "a.prm");
+}
+
+TEST(CommandLine, ParametersArePrintedAsTextOrJson)
+{
+  EXPECT_EQ(parse({"--print-parameters"}).form, ParameterForm::text);
+  const CommandLine command = parse({"--print-parameters=json", "Time"});
+  EXPECT_EQ(command.form, ParameterForm::json);
+  EXPECT_EQ(command.wanted_parameters, "Time");
+  EXPECT_THROW(parse({"--print-parameters=xml"}), InputError);
 }
 
 TEST(CommandLine, RefusesWhatItDoesNotKnow)

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/base/parameters/allowed_values.h>
 #include <contrecoup/base/parameters/declared_tree.h>
 #include <contrecoup/base/parameters/parameter_names.h>
 #include <contrecoup/base/parameters/parameter_search.h>
-#include <contrecoup/base/parameters/parameter_tree.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/readable_file.h>
 #include <contrecoup/base/system/text.h>
@@ -83,19 +83,16 @@ namespace
           collect_names(node[name], names);
       }
   }
-} // namespace
 
-
-std::string find_parameters(const dealii::ParameterHandler &prm,
-                            const std::string &what)
-{
-  const Tree tree = declared::tree_of(prm);
-  const std::vector<std::string> wanted = split(what, '/');
-  Tree found = pruned(tree, [&](const auto &path, const Tree &) {
-    return ends_with(path, wanted);
-  });
-  if (found.empty())
+  /// The part of @p tree that is wanted, see find_parameters().
+  Tree find(const Tree &tree, const std::string &what)
   {
+    const std::vector<std::string> wanted = split(what, '/');
+    Tree found = pruned(tree, [&](const auto &path, const Tree &) {
+      return ends_with(path, wanted);
+    });
+    if (!found.empty())
+      return found;
     const std::vector<std::string> words =
       split(boost::to_lower_copy(trim(what)), ' ');
     found = pruned(tree, [&](const auto &path, const Tree &item) {
@@ -104,15 +101,56 @@ std::string find_parameters(const dealii::ParameterHandler &prm,
                          item["documentation"].template get<std::string>(),
                        words);
     });
-  }
-  if (found.empty())
-  {
+    if (!found.empty())
+      return found;
     std::vector<std::string> names;
     collect_names(tree, names);
     throw InputError("--print-parameters: no section or entry is called " +
                      quotation(what) + ", and no help text has it" +
                      suggestion(what, names));
   }
-  return declared::text_of(found, true);
+
+  /// A bound as the number that it is; null if there is none.
+  Tree bound(const std::string &text)
+  {
+    return text.empty() ? Tree() : Tree::parse(text);
+  }
+
+  /// Adds what a program wants to know of each entry.
+  void add_details(Tree &node)
+  {
+    if (!is_entry(node))
+    {
+      for (auto &item : node)
+        add_details(item);
+      return;
+    }
+    const auto pattern = node["pattern_description"].get<std::string>();
+    node["allowed"] = plain_words(pattern);
+    if (is_of_numbers(pattern))
+    {
+      const std::string unit = unit_in(node["documentation"]);
+      if (!unit.empty())
+        node["unit"] = unit;
+      const auto [least, most] = range_of(pattern);
+      node["range"] = {bound(least), bound(most)};
+    }
+    if (const auto choices = choices_of(pattern); !choices.empty())
+      node["choices"] = choices;
+  }
+} // namespace
+
+
+std::string find_parameters(const dealii::ParameterHandler &prm,
+                            const std::string &what,
+                            const ParameterForm form)
+{
+  Tree tree = declared::tree_of(prm);
+  if (!what.empty())
+    tree = find(tree, what);
+  if (form == ParameterForm::text)
+    return declared::text_of(tree, true);
+  add_details(tree);
+  return tree.dump(2);
 }
 } // namespace contrecoup

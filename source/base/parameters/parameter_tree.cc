@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/base/parameters/allowed_values.h>
 #include <contrecoup/base/parameters/declared_tree.h>
 #include <contrecoup/base/parameters/number_or_word.h>
 #include <contrecoup/base/parameters/parameter_names.h>
@@ -25,7 +26,6 @@ namespace contrecoup
 {
 namespace
 {
-  using declared::between;
   using declared::is_entry;
   using declared::is_pattern;
   using declared::names;
@@ -150,24 +150,6 @@ namespace
     return true;
   }
 
-  std::string plain_range(const std::string &kind, const std::string &range)
-  {
-    const std::size_t dots = range.find("...");
-    std::string lower = range.substr(0, dots);
-    std::string upper = range.substr(dots + 3);
-    if (lower == "-MAX_DOUBLE" || lower == "-2147483648")
-      lower.clear();
-    if (upper == "MAX_DOUBLE" || upper == "2147483647")
-      upper.clear();
-    if (lower.empty() && upper.empty())
-      return kind;
-    if (upper.empty())
-      return kind + " of at least " + lower;
-    if (lower.empty())
-      return kind + " of at most " + upper;
-    return kind + " from " + lower + " to " + upper;
-  }
-
   void write_entry(const Tree &entry,
                    const std::string &name,
                    const std::string &indent,
@@ -258,9 +240,7 @@ namespace
     const std::string foreign = find_foreign_letter(value);
     if (!foreign.empty())
       return foreign;
-    const auto help = entry["documentation"].get<std::string>();
-    const std::string unit =
-      help.find('[') == 0 ? help.substr(1, help.find(']') - 1) : "-";
+    const std::string unit = unit_in(entry["documentation"]);
     std::string numbers = value;
     std::replace(numbers.begin(), numbers.end(), ';', ',');
     for (const std::string &item :
@@ -275,7 +255,7 @@ namespace
       if (end > 0 && !rest.empty() &&
           std::isalpha(static_cast<unsigned char>(rest[0])) != 0)
         return "a number stands without its unit, here " +
-               (unit == "-" ? "none" : unit) + ": " +
+               (unit.empty() || unit == "-" ? "none" : unit) + ": " +
                quotation(item.substr(0, end));
     }
     return "";
@@ -300,10 +280,8 @@ namespace
     const auto description = entry["pattern_description"].get<std::string>();
     std::vector<std::string> path = assignment.sections;
     path.push_back(assignment.entry);
-    std::vector<std::string> choices;
-    if (description.find("[Selection ") == 0)
-      choices = split(between(description, "[Selection ", "]"), '|');
-    const std::string meant = nearest(assignment.value, choices);
+    const std::string meant =
+      nearest(assignment.value, choices_of(description));
     const std::string help = meant.empty()
                                ? "; allowed: "
                                : "; did you mean \"" + meant + "\"? Allowed: ";
@@ -415,39 +393,5 @@ std::string declared::text_of(const Tree &node, const bool annotated)
 std::string parameter_text(const ParameterHandler &prm, const bool annotated)
 {
   return declared::text_of(tree_of(prm), annotated);
-}
-
-std::string plain_words(const std::string &pattern)
-{
-  if (const auto either = NumberOrWord::create(pattern))
-    return plain_range("a number", between(pattern, "[Double ", " (incl")) +
-           ", or \"" + either->word() + "\"";
-  if (pattern.find("[Double ") == 0)
-    return plain_range("a number", between(pattern, "[Double ", " (incl"));
-  if (pattern.find("[Integer range ") == 0)
-    return plain_range("a whole number",
-                       between(pattern, "[Integer range ", " (incl"));
-  if (pattern == "[Integer]")
-    return "a whole number";
-  if (pattern.find("[FileName ") == 0)
-    return "the name of a file";
-  if (pattern == "[Bool]")
-    return "true, false";
-  if (pattern.find("[Selection ") == 0)
-    return join(split(between(pattern, "[Selection ", "]"), '|'), ", ");
-  if (pattern.find("[List of <[List of <") == 0)
-    return "points of one to three numbers from -1e6 to 1e6, as in \"0,0,1; "
-           "0,0,2\"";
-  if (pattern.find("[List of <") == 0)
-  {
-    const std::string count = between(pattern, "> of length ", " (inclusive)");
-    const std::size_t dots = count.find("...");
-    const std::string most = count.substr(dots + 3);
-    return count.substr(0, dots) +
-           (most == "4294967295" ? " or more" : " to " + most) +
-           " values separated by commas, each " +
-           plain_words(between(pattern, "[List of <", "> of length"));
-  }
-  return "";
 }
 } // namespace contrecoup

@@ -90,7 +90,7 @@ namespace
           "stages that are kept, and reports on it.",
           "Runs on several cores with mpirun -np N scene FILE.prm ...",
           SceneParameters::declare_parameters);
-        if (command.print_parameters)
+        if (command.print_parameters && command.form == ParameterForm::text)
           text = comment_stage_defaults(text);
         if (!text.empty())
           return;

@@ -2,7 +2,6 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/parameters/parameter_names.h>
-#include <contrecoup/base/parameters/parameter_search.h>
 #include <contrecoup/base/parameters/parameter_tree.h>
 #include <contrecoup/base/parameters/used_with.h>
 #include <contrecoup/base/system/exceptions.h>
@@ -38,6 +37,12 @@ namespace io
       return option == "--set" || option == "--output";
     }
 
+    /// Also with the form behind "=".
+    bool prints_parameters(const std::string &option)
+    {
+      return option.substr(0, option.find('=')) == "--print-parameters";
+    }
+
     void apply(const std::string &option,
                const std::string &value,
                CommandLine &command)
@@ -55,7 +60,14 @@ namespace io
       else if (option == "--estimate")
         command.estimate = true;
       else if (option == "--print-parameters")
+      {
         command.print_parameters = true;
+        if (!value.empty() && value != "json")
+          throw InputError("--print-parameters cannot write \"" + value +
+                           "\"; allowed: json, or nothing for a text");
+        if (!value.empty())
+          command.form = ParameterForm::json;
+      }
       else if (option == "--verbose")
         command.verbose = true;
       else if (option == "--help" || option == "-h")
@@ -113,7 +125,7 @@ namespace io
         options.push_back(arguments[++i]);
       checks = checks || word == "--check";
       only_prints = only_prints || word == "--help" || word == "-h" ||
-                    word == "--version" || word == "--print-parameters";
+                    word == "--version" || prints_parameters(word);
     }
     if (!checks || only_prints || files.size() < 2)
       return {arguments};
@@ -169,7 +181,8 @@ namespace io
       }
       std::string value;
       const std::size_t equals = word.find('=');
-      if (equals != std::string::npos && takes_value(word.substr(0, equals)))
+      if (equals != std::string::npos &&
+          (takes_value(word.substr(0, equals)) || prints_parameters(word)))
       {
         value = word.substr(equals + 1);
         word = word.substr(0, equals);
@@ -221,12 +234,13 @@ namespace io
            "  --check             says what would be run and what it would "
            "cost\n" +
            (application == "scene" ? estimate : "") +
-           "  --print-parameters [WORD]\n"
+           "  --print-parameters[=json] [WORD]\n"
            "                      prints all entries with meaning, allowed "
            "values, default;\n"
            "                      with WORD a section, such as Time or "
            "Output, or\n"
-           "                      the entries whose name or meaning has it\n"
+           "                      the entries whose name or meaning has it;\n"
+           "                      =json prints them for programs\n"
            "  --verbose           shows on the screen what log.txt gets\n"
            "  --help              prints this\n"
            "  --version           prints version and git revision\n\n"
@@ -251,13 +265,13 @@ namespace io
       return "";
     dealii::ParameterHandler prm;
     declare_parameters(prm);
-    std::string text = "# " + application + ": " + purpose + "\n";
+    std::string comments = "# " + application + ": " + purpose + "\n";
     for (const std::string &line : assign(command, prm))
-      text += "# " + line + "\n";
-    const std::string &wanted = command.wanted_parameters;
-    return text + "\n" +
-           (wanted.empty() ? parameter_text(prm, true)
-                           : find_parameters(prm, wanted));
+      comments += "# " + line + "\n";
+    const std::string found =
+      find_parameters(prm, command.wanted_parameters, command.form);
+    return command.form == ParameterForm::json ? found
+                                               : comments + "\n" + found;
   }
 
   void print_requested(const std::string &text)

@@ -9,12 +9,23 @@
 
 namespace contrecoup
 {
+enum class ParameterForm
+{
+  text, ///< annotated parameter file, see parameter_text()
+  /// deal.II's JSON (value, default_value, documentation, pattern,
+  /// pattern_description of each entry), with "allowed" in words and, where
+  /// they are known, "unit", "range" [least, most] (null without bound) and
+  /// "choices"
+  json
+};
+
 /**
- * Annotated parameter file (see parameter_text()) with one section or entry, by
- * name or path such as "Body/Surface"; else with all entries whose name or help
- * text has the words of @p what. Letter case does not matter.
+ * One section or entry, by name or path such as "Body/Surface"; else all
+ * entries whose name or help text has the words of @p what; all if it is empty.
+ * Letter case does not matter.
  * @throws InputError when nothing is found, with the nearest name
  */
 std::string find_parameters(const dealii::ParameterHandler &prm,
-                            const std::string &what);
+                            const std::string &what,
+                            ParameterForm form);
 } // namespace contrecoup

@@ -49,7 +49,4 @@ parameter_values(const dealii::ParameterHandler &prm);
  * and pattern subsections are included.
  */
 std::string parameter_text(const dealii::ParameterHandler &prm, bool annotated);
-
-/// Describes what a deal.II pattern allows: "a number from 0 to 1".
-std::string plain_words(const std::string &pattern_description);
 } // namespace contrecoup

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <contrecoup/base/parameters/parameter_file.h>
+#include <contrecoup/base/parameters/parameter_search.h>
 #include <contrecoup/base/system/collective.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -27,7 +28,8 @@ namespace io
     bool check = false;
     bool estimate = false; ///< of scene only
     bool print_parameters = false;
-    std::string wanted_parameters; ///< section or word; empty: all
+    ParameterForm form = ParameterForm::text; ///< in which they are printed
+    std::string wanted_parameters;            ///< section or word; empty: all
     bool verbose = false;
     bool help = false;
     bool version = false;
@@ -36,9 +38,9 @@ namespace io
   /**
    * Parses the command line that `--help` shows; `--estimate` is for "scene"
    * only. Also accepts `--set=...` and `--output=...`. With
-   * `--print-parameters` a word that is neither a file nor ends in ".prm" is
-   * what to look for. Without `--output` the folder is
-   * `output/APPLICATION/NAME`, NAME that of the file.
+   * `--print-parameters` and `--print-parameters=json` a word that is neither a
+   * file nor ends in ".prm" is what to look for. Without `--output` the folder
+   * is `output/APPLICATION/NAME`, NAME that of the file.
    * @throws InputError for an unknown option, suggesting the nearest one, or
    * when a required parameter file is missing
    */
