@@ -2,11 +2,6 @@
 # parameter-file tests call tests/applications/run_case.py.
 
 find_package(GTest REQUIRED)
-# Debian's interpreter has the packages that debian_packages.txt names.
-if(NOT DEFINED Python3_EXECUTABLE AND EXISTS /usr/bin/python3)
-  set(Python3_EXECUTABLE /usr/bin/python3)
-endif()
-find_package(Python3 REQUIRED COMPONENTS Interpreter)
 
 # Tests start in the order of the times that ctest itself keeps in the build folder;
 # before the first run, in the order of their time limits.
