@@ -4,6 +4,7 @@
 #include <contrecoup/base/system/collective.h>
 #include <contrecoup/base/system/log.h>
 #include <contrecoup/io/file/checked_file.h>
+#include <contrecoup/io/file/file_format.h>
 #include <contrecoup/study/outcome.h>
 #include <contrecoup/study/run_record.h>
 
@@ -19,13 +20,6 @@ namespace contrecoup::study
 namespace
 {
   using Json = nlohmann::ordered_json;
-
-  /// Content of a JSON file; null if it is missing or invalid.
-  Json read_json(const std::string &file)
-  {
-    std::ifstream input(file);
-    return input ? Json::parse(input, nullptr, false) : Json();
-  }
 
   template <typename Type>
   Type
@@ -176,7 +170,8 @@ void write_outcome(const std::string &file,
                    const Outcome &outcome,
                    const std::string &identity)
 {
-  const Json text = {{"outcome", outcome.kind},
+  const Json text = {{"format", io::formats::outcome.number},
+                     {"outcome", outcome.kind},
                      {"reason", outcome.reason},
                      {"exit_code", outcome.exit_code},
                      {"wall_seconds", outcome.wall_seconds},
@@ -195,7 +190,7 @@ std::optional<Outcome> read_outcome(const std::string &file,
 {
   if (!std::filesystem::exists(file))
     return {};
-  const Json text = read_json(file);
+  const Json text = io::read_json(file, io::formats::outcome);
   if (!is_whole(text))
   {
     show_line("the outcome \"" + file + "\" is damaged: its run is made again");

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/system/text.h>
+#include <contrecoup/io/file/file_format.h>
 #include <contrecoup/study/report.h>
 
 #include <nlohmann/json.hpp>
@@ -295,6 +296,7 @@ std::string to_json(const StudyParameters &parameters,
                     {"front", row.on_front}});
   }
   const Json json = {
+    {"format", io::formats::study.number},
     {"title", parameters.title},
     {"mode", parameters.mode},
     {"cost", parameters.cost},

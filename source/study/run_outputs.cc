@@ -161,10 +161,11 @@ void RunOutputs::add_files(const std::string &folder,
     if (ends_with(file, ".json") && !is_administrative(file))
     {
       std::ifstream input(path);
-      add_object(Json::parse(input, nullptr, false),
-                 file == summary_file ? subfolder : name + ":",
-                 "",
-                 "");
+      Json content = Json::parse(input, nullptr, false);
+      if (content.is_object())
+        content.erase("format");
+      add_object(
+        content, file == summary_file ? subfolder : name + ":", "", "");
     }
     else if (ends_with(file, ".csv"))
       try

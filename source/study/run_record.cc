@@ -1,25 +1,19 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/io/file/file_format.h>
 #include <contrecoup/study/run_record.h>
 
 #include <nlohmann/json.hpp>
 
 #include <cmath>
-#include <fstream>
 
 namespace contrecoup::study
 {
 namespace
 {
-  using Json = nlohmann::json;
-
-  /// Content of a JSON file; null if it is missing or invalid.
-  Json read_json(const std::string &file)
-  {
-    std::ifstream input(file);
-    return input ? Json::parse(input, nullptr, false) : Json();
-  }
+  using io::read_json;
+  using Json = nlohmann::ordered_json;
 
   const Json &member(const Json &object, const char *const name)
   {
@@ -67,7 +61,8 @@ namespace
   add_stage(const std::string &folder, const Json &stage, RunRecord &record)
   {
     const RunRecord own = of_summary(
-      read_json(folder + "/" + text(stage, "folder") + "/summary.json"));
+      read_json(folder + "/" + text(stage, "folder") + "/summary.json",
+                io::formats::summary));
     for (double RunRecord::*const value : {&RunRecord::cells,
                                            &RunRecord::unknowns,
                                            &RunRecord::steps,
@@ -82,12 +77,14 @@ namespace
 
 RunRecord read_record(const std::string &folder)
 {
-  const Json summary = read_json(folder + "/summary.json");
+  const Json summary =
+    read_json(folder + "/summary.json", io::formats::summary);
   if (summary.is_object())
     return of_summary(summary);
   RunRecord record;
-  record.status = text(read_json(folder + "/manifest.json"), "status");
-  const Json scene = read_json(folder + "/scene.json");
+  record.status =
+    text(read_json(folder + "/manifest.json", io::formats::manifest), "status");
+  const Json scene = read_json(folder + "/scene.json", io::formats::scene);
   const Json &stages = member(scene, "stages");
   if (stages.is_array())
     for (const Json &stage : stages)

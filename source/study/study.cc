@@ -7,6 +7,7 @@
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/base/system/version.h>
 #include <contrecoup/io/file/checked_file.h>
+#include <contrecoup/io/file/file_format.h>
 #include <contrecoup/io/file/temporary_folder.h>
 #include <contrecoup/io/output/pictures.h>
 #include <contrecoup/study/report.h>
@@ -359,6 +360,7 @@ void Study::write_summary(const std::string &status,
   const Json orders = last_orders(result);
   Json summary = {
     {"application", "study"},
+    {"format", io::formats::summary.number},
     {"version", version()},
     {"git_revision", git_revision()},
     {"status", status},

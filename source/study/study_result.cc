@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/system/text.h>
+#include <contrecoup/io/file/file_format.h>
 #include <contrecoup/study/convergence.h>
 #include <contrecoup/study/pareto.h>
 #include <contrecoup/study/study_result.h>
@@ -10,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <map>
 #include <optional>
 
@@ -142,8 +142,8 @@ namespace
   /// Summary of a run; null if it cannot be read.
   Json read_summary(const std::string &folder)
   {
-    std::ifstream input(folder + "/summary.json");
-    const Json summary = Json::parse(input, nullptr, false);
+    const Json summary =
+      io::read_json(folder + "/summary.json", io::formats::summary);
     return summary.is_object() ? summary : Json();
   }
 

@@ -5,9 +5,12 @@
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/coupling/scene/first_answer.h>
 #include <contrecoup/coupling/scene/scene_files.h>
+#include <contrecoup/coupling/task/task_files.h>
 #include <contrecoup/geometry/body/body.h>
 #include <contrecoup/geometry/body/body_description.h>
 #include <contrecoup/geometry/shape/primitive_shapes.h>
+#include <contrecoup/io/file/checked_file.h>
+#include <contrecoup/io/file/temporary_folder.h>
 #include <contrecoup/materials/explosives.h>
 #include <contrecoup/numerics/injury/expected_blast.h>
 #include <contrecoup/numerics/injury/kingery_bulmash.h>
@@ -81,6 +84,18 @@ ShapeBody standing_body()
   return {surface, {{{"all", Tissue::soft_tissue}, surface}}};
 }
 } // namespace
+
+
+TEST(SceneFiles, RecordsOfANewerFormatAreRefused)
+{
+  const io::TemporaryFolder folder;
+  const TaskFiles files(folder.path(), "blast");
+  files.write_record(false, {"key", "finished", 1.5, 3., 1e9, 2e6});
+  EXPECT_EQ(files.read_record(false).key, "key");
+  io::write_file(folder.path() + "/blast.stage.json",
+                 [](std::ostream &out) { out << R"({"format": 2})"; });
+  EXPECT_THROW(files.read_record(false), InputError);
+}
 
 // The report reads the probes of the scene by their numbers.
 TEST(SceneFiles, ProbesOfTheUserFollowThoseOfTheScene)

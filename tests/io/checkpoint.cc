@@ -3,6 +3,7 @@
 
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/io/file/checked_file.h>
+#include <contrecoup/io/file/file_format.h>
 #include <contrecoup/io/output/checkpoint.h>
 #include <contrecoup/io/run/run_description.h>
 
@@ -140,7 +141,7 @@ TEST(RunDescription, AnotherFormatIsRefusedWithBothBuilds)
   {
     std::string changed = text;
     const std::string format =
-      "\"format\": " + std::to_string(checkpoint_format);
+      "\"format\": " + std::to_string(formats::checkpoint.number);
     changed.replace(changed.find(format), format.size(), other);
     const std::string release = "\"version\": \"";
     changed.insert(changed.find(release) + release.size(), "7.");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/io/file/temporary_folder.h>
 #include <contrecoup/study/outcome.h>
 
@@ -103,6 +104,17 @@ TEST(Outcome, IsFoundAgainForTheSameIdentityAlone)
   EXPECT_EQ(found->exit_code, 2);
   EXPECT_EQ(found->wall_seconds, 1.25);
   EXPECT_FALSE(read_outcome(file, identity("blast", "2", 1, {}), 0.));
+}
+
+TEST(Outcome, OfANewerFormatIsRefused)
+{
+  const contrecoup::io::TemporaryFolder folder;
+  const std::string file = folder.path() + "/outcome.json";
+  const std::string who = identity("blast", "1", 1, {});
+  write_outcome(file, Outcome(), who);
+  EXPECT_NO_THROW(read_outcome(file, who, 0.));
+  std::ofstream(file) << R"({"format": 2})";
+  EXPECT_THROW(read_outcome(file, who, 0.), contrecoup::InputError);
 }
 
 TEST(Outcome, OfADamagedFileIsNone)

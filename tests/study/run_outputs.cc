@@ -146,6 +146,17 @@ TEST_F(SceneFolder, LeavesDamagedFilesOut)
       EXPECT_EQ(address.find(file), std::string::npos) << address;
 }
 
+TEST_F(SceneFolder, RecordsOfNewerFormatsAreRefused)
+{
+  for (const char *name :
+       {"blast/summary.json", "scene.json", "manifest.json", "summary.json"})
+  {
+    write(name, R"({"format": 2})");
+    EXPECT_THROW(read_record(folder_.path()), contrecoup::InputError) << name;
+    write(name, name == std::string("summary.json") ? "" : R"({"format": 1})");
+  }
+}
+
 TEST_F(SceneFolder, HasTheSumsOfItsStages)
 {
   const RunRecord record = read_record(folder_.path());

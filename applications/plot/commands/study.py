@@ -10,9 +10,9 @@ pictures/chart (contours over two such factors), beyond twelve outputs in
 further pictures (curves_2, chart_2 and so on).
 """
 
-import json
 import os
 
+from plot.readers import files, json_shape
 from plot.readers.files import BrokenInput
 from plot.figures import (stability_map, study_curves, style,
                           work_precision)
@@ -23,8 +23,7 @@ def main(output_folder):
     if not os.path.exists(path):
         raise BrokenInput(f"{output_folder} has no study.json; is it the "
                           "output folder of a study?")
-    with open(path, encoding="utf-8") as file:
-        study = json.load(file)
+    study = files.read_json(path, {"mode": json_shape.WORDS})
     pictures = style.pictures_folder(output_folder)
     if study["mode"] == "stability map":
         stability_map.draw_stability_map(study, pictures)

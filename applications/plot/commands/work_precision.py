@@ -7,21 +7,20 @@ is LABEL=FOLDER,FOLDER,...: output folders of one method on finer and finer
 meshes, drawn as one line.
 """
 
-import json
 import os
 
+from plot.readers import files, json_shape
 from plot.readers.files import BrokenInput
 from plot.figures import work_precision
 
 
 def read_point(folder, error):
     """Wall time [s] and error of a run."""
-    with open(os.path.join(folder, "summary.json"),
-              encoding="utf-8") as file:
-        summary = json.load(file)
-    if error not in summary["errors"]:
+    summary = files.read_json(os.path.join(folder, "summary.json"),
+                              json_shape.SUMMARY)
+    if error not in summary.get("errors", {}):
         raise BrokenInput(f"{folder} has no error '{error}'; it has: "
-                          + ", ".join(summary["errors"]))
+                          + ", ".join(summary.get("errors", {})))
     return summary["performance"]["wall_seconds"], summary["errors"][error]
 
 

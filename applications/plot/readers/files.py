@@ -11,7 +11,7 @@ import zlib
 
 import numpy as np
 
-from plot.readers import json_shape
+from plot.readers import formats, json_shape
 
 
 class BrokenInput(Exception):
@@ -30,11 +30,14 @@ def reading(path):
 
 
 def read_json(path, shape):
-    """An object of this shape, see json_shape; {} without a file."""
+    """An object of this shape, see json_shape; {} without a file. Its name is
+    that of its format."""
     if not os.path.exists(path):
         return {}
     with reading(path), open(path, encoding="utf-8") as file:
         content = json_shape.parse(file.read())
+        name = os.path.splitext(os.path.basename(path))[0]
+        formats.require_readable(name, content.get("format"))
         json_shape.check(content, shape)
     return content
 

@@ -19,7 +19,7 @@ _ROW = {"item": WORDS, "decision": WORDS, "quantity": WORDS,
 # A list is one of such things, with a number behind it of so many; "*" stands
 # for any other name.
 SCENE = {
-    "application": WORDS, "version": WORDS, "git_revision": WORDS,
+    "application": WORDS, "format": NUMBER, "version": WORDS, "git_revision": WORDS,
     "title": WORDS, "question": WORDS, "accuracy": WORDS, "explosive": WORDS,
     "charge_mass": NUMBER, "charge_place": POINT, "distance": NUMBER,
     "height": NUMBER, "distance_along_x": NUMBER,
@@ -49,7 +49,7 @@ SCENE = {
                 "peak_memory": NUMBER, "disk": NUMBER, "hash": WORDS}],
     "plan": [_ROW], "audit": [_ROW], "remarks": [WORDS]}
 SUMMARY = {
-    "application": WORDS, "version": WORDS, "git_revision": WORDS,
+    "application": WORDS, "format": NUMBER, "version": WORDS, "git_revision": WORDS,
     "status": WORDS, "cells": NUMBER, "steps": NUMBER, "ranks": NUMBER,
     "nodes": NUMBER, "unknowns": NUMBER, "wall_seconds": NUMBER,
     "performance": {"*": NUMBER}, "conservation": {"*": NUMBER},

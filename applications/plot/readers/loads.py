@@ -6,7 +6,7 @@ import os
 
 import numpy as np
 
-from plot.readers import files
+from plot.readers import files, formats
 
 
 class Loads:
@@ -15,6 +15,9 @@ class Loads:
     def __init__(self, path):
         import h5py  # which runs without a body do not need
         self.file = h5py.File(path, "r")
+        if "format" in self.file.attrs:
+            formats.require_readable("loads", int(
+                self.file.attrs["format"].decode().split()[-1]))
         self.is_flat = self.file.attrs["units"].decode().startswith("m, m,")
         self.centroids = self.file["centroid"][:]
         self.normals = self.file["normal"][:]

@@ -9,7 +9,7 @@ import re
 
 import numpy as np
 
-from plot.readers import files
+from plot.readers import files, json_shape
 
 
 class Table:
@@ -75,10 +75,7 @@ def open_references(folder):
     """What the reference of a run says of each probe, by the probe's name:
     quantities such as peak_overpressure and arrival."""
     path = os.path.join(folder, "summary.json")
-    if not os.path.exists(path):
-        return {}
-    with open(path, encoding="utf-8") as file:
-        known = json.load(file).get("results", {})
+    known = files.read_json(path, json_shape.SUMMARY).get("results", {})
     references = {}
     for name, entry in known.items():
         match = re.fullmatch(r"(probe_\d+)_reference_(\w+)", name)

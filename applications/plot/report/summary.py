@@ -9,6 +9,7 @@ import math
 import os
 import textwrap
 
+from plot.readers import formats
 from plot.report import injury_table
 
 WIDTH = 78  # of the lines of headline.txt
@@ -18,7 +19,8 @@ def of(scene, judged, lead, page):
     """What report.json holds."""
     facts = scene.facts
     return {
-        "application": "scene", "version": facts.get("version", ""),
+        "application": "scene", "format": formats.NUMBERS["report"],
+        "version": facts.get("version", ""),
         "git_revision": facts.get("git_revision", ""), "title": page.title,
         "headline": lead.sentence, "scene": lead.opening,
         "text": wrapped(lead.lines()),

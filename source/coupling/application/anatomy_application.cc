@@ -16,6 +16,7 @@
 #include <contrecoup/geometry/mesh/stray_cells.h>
 #include <contrecoup/io/application/check_file.h>
 #include <contrecoup/io/file/checked_file.h>
+#include <contrecoup/io/file/file_format.h>
 #include <contrecoup/io/file/hex_mesh_files.h>
 #include <contrecoup/io/output/folder_claim.h>
 #include <contrecoup/io/output/pictures.h>
@@ -320,6 +321,7 @@ namespace coupling
           errors["mass"] = body.mass / parameters_.body.reference_mass() - 1.;
         Json summary = {
           {"application", "anatomy"},
+          {"format", io::formats::summary.number},
           {"version", version()},
           {"git_revision", git_revision()},
           {"status", "finished"},

@@ -4,7 +4,7 @@
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/coupling/scene/model_bias.h>
 #include <contrecoup/coupling/scene/scene_plan.h>
-#include <contrecoup/io/file/checked_file.h>
+#include <contrecoup/io/file/file_format.h>
 #include <contrecoup/io/output/history_reader.h>
 
 #include <nlohmann/json.hpp>
@@ -213,10 +213,7 @@ namespace
 
   Json read_summary(const std::string &folder)
   {
-    const std::string file = folder + "/summary.json";
-    return std::filesystem::exists(file)
-             ? Json::parse(io::read_file(file), nullptr, false)
-             : Json();
+    return io::read_json(folder + "/summary.json", io::formats::summary);
   }
 
 

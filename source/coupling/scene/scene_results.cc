@@ -10,6 +10,7 @@
 #include <contrecoup/coupling/scene/scene_results.h>
 #include <contrecoup/coupling/scene/table_comparison.h>
 #include <contrecoup/io/file/checked_file.h>
+#include <contrecoup/io/file/file_format.h>
 #include <contrecoup/io/run/plan_table.h>
 
 #include <nlohmann/json.hpp>
@@ -267,6 +268,7 @@ void write_scene(const PlannedScene &scene,
   const double person_mass = scene.person_mass();
   Json json = {
     {"application", "scene"},
+    {"format", io::formats::scene.number},
     {"version", version()},
     {"git_revision", git_revision()},
     {"title", scene.parameters().title},

@@ -5,6 +5,7 @@
 #include <contrecoup/coupling/scene/coarser_run.h>
 #include <contrecoup/coupling/scene/table_comparison.h>
 #include <contrecoup/io/file/checked_file.h>
+#include <contrecoup/io/file/file_format.h>
 
 #include <boost/math/constants/constants.hpp>
 #include <nlohmann/json.hpp>
@@ -39,7 +40,7 @@ namespace
   double result_of(const std::string &folder, const std::string &name)
   {
     const Json summary =
-      Json::parse(read_if_any(folder + "/summary.json"), nullptr, false);
+      io::read_json(folder + "/summary.json", io::formats::summary);
     if (!summary.is_object() || !summary.contains("results"))
       return unknown;
     const Json result = summary["results"].value(name, Json());

@@ -8,6 +8,7 @@
 #include <contrecoup/coupling/task/scene_task.h>
 #include <contrecoup/coupling/task/source_digest.h>
 #include <contrecoup/io/file/checked_file.h>
+#include <contrecoup/io/file/file_format.h>
 #include <contrecoup/io/file/temporary_folder.h>
 
 #include <deal.II/base/mpi.h>
@@ -157,7 +158,7 @@ void SceneTask::take_summary(const double wall_seconds)
 {
   const std::string folder = files_.folder(status_.uses_new_folder);
   const Json json =
-    Json::parse(io::read_file(folder + "/summary.json"), nullptr, false);
+    io::read_json(folder + "/summary.json", io::formats::summary);
   if (!json.is_object())
     throw SystemError("cannot read \"" + folder + "/summary.json\"");
   const Json performance = json.value("performance", Json::object());

@@ -5,6 +5,7 @@
 #include <contrecoup/base/system/log.h>
 #include <contrecoup/coupling/task/task_files.h>
 #include <contrecoup/io/file/checked_file.h>
+#include <contrecoup/io/file/file_format.h>
 #include <contrecoup/io/output/folder_lock.h>
 
 #include <nlohmann/json.hpp>
@@ -119,7 +120,7 @@ TaskRecord TaskFiles::read_record(const bool uses_new_folder) const
   if (!exists(record_file(uses_new_folder)))
     return {};
   const Json json =
-    Json::parse(io::read_file(record_file(uses_new_folder)), nullptr, false);
+    io::read_json(record_file(uses_new_folder), io::formats::stage);
   try
   {
     TaskRecord record;
@@ -143,7 +144,8 @@ TaskRecord TaskFiles::read_record(const bool uses_new_folder) const
 void TaskFiles::write_record(const bool uses_new_folder,
                              const TaskRecord &record) const
 {
-  const Json json = {{"key", record.key},
+  const Json json = {{"format", io::formats::stage.number},
+                     {"key", record.key},
                      {"status", record.status},
                      {"wall_seconds", record.wall_seconds},
                      {"core_seconds", record.core_seconds},

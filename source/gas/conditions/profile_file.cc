@@ -6,6 +6,7 @@
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/gas/conditions/profile_file.h>
 #include <contrecoup/io/file/checked_file.h>
+#include <contrecoup/io/file/file_format.h>
 #include <contrecoup/io/file/hdf5_input.h>
 
 #include <deal.II/base/hdf5.h>
@@ -17,7 +18,6 @@ namespace contrecoup::gas
 {
 namespace
 {
-  const std::string format = "contrecoup profile 1";
   const std::string units = "m, s, kg/m^3, kg/(m^2 s), J/m^3, Pa";
 
   const std::vector<std::pair<std::string, Geometry>> geometries = {
@@ -144,9 +144,7 @@ namespace
     const auto cells = [&](const std::string &name) {
       return in.numbers(name);
     };
-    if (text("format") != format)
-      throw InputError(file + ": the format is \"" + text("format") +
-                       "\", not \"" + format + "\"");
+    io::require_readable(io::formats::profile, text("format"), file);
     ProfileData data;
     data.version = text("version");
     data.material = text("material");
@@ -180,7 +178,7 @@ namespace
     const auto say = [&](const std::string &name, const std::string &value) {
       out << "# " << name << " = " << value << '\n';
     };
-    say("format", format);
+    say("format", io::format_text(io::formats::profile));
     say("units", units);
     say("version", data.version);
     say("material", data.material);
@@ -322,6 +320,8 @@ namespace
     const auto number_or = [&](const std::string &name, const double other) {
       return table.notes.count(name) > 0 ? number(name) : other;
     };
+    if (table.notes.count("format") > 0)
+      io::require_readable(io::formats::profile, note("format"), file);
     ProfileData data;
     data.geometry = geometry_of(note("geometry"), file);
     data.time = number("time_s");
@@ -368,7 +368,7 @@ void write_profile(const std::string &file, const ProfileData &data)
   {
     const std::string maps = write_numbers(file, data);
     write_texts(file,
-                {{"format", format},
+                {{"format", io::format_text(io::formats::profile)},
                  {"units", units},
                  {"version", data.version},
                  {"material", data.material},

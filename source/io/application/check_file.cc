@@ -5,6 +5,7 @@
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/io/application/check_file.h>
 #include <contrecoup/io/file/checked_file.h>
+#include <contrecoup/io/file/file_format.h>
 #include <contrecoup/io/output/summary.h>
 
 #include <nlohmann/json.hpp>
@@ -62,9 +63,10 @@ namespace io
 
   std::vector<std::string> summary_outputs(const std::vector<Assumption> &plan)
   {
-    Summary summary;
+    Json summary = Json::parse(to_text(Summary()));
+    summary.erase("format");
     std::vector<std::string> outputs;
-    add_numbers(Json::parse(to_text(summary)), "", outputs);
+    add_numbers(summary, "", outputs);
     const auto any = std::find(outputs.begin(), outputs.end(), "assumptions.*");
     if (!plan.empty())
       outputs.erase(any);
@@ -119,7 +121,8 @@ namespace io
     const char *file = std::getenv("CONTRECOUP_CHECK_FILE");
     if (file == nullptr)
       return;
-    Json json = {{"application", report.application}};
+    Json json = {{"application", report.application},
+                 {"format", formats::forecast.number}};
     json.update(to_json(report.cost));
     json["outputs"] = report.outputs;
     for (const auto &[name, cost] : report.stages)
@@ -135,7 +138,7 @@ namespace io
 
   CheckReport read_check_file(const std::string &file)
   {
-    const Json json = Json::parse(read_file(file), nullptr, false);
+    const Json json = read_json(file, formats::forecast);
     CheckReport report;
     try
     {

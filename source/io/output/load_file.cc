@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/io/file/file_format.h>
 #include <contrecoup/io/file/hdf5_handle.h>
 #include <contrecoup/io/output/load_file.h>
 
@@ -14,8 +15,6 @@ namespace io
 {
   namespace
   {
-    const char *const format = "contrecoup loads 1";
-
     /// What a dataset says about itself.
     struct Label
     {
@@ -347,7 +346,7 @@ namespace io
       H5Fcreate(path_.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT),
       H5Fclose,
       path_);
-    write_text(file, "format", format, path_);
+    write_text(file, "format", format_text(formats::loads), path_);
     for (const auto &[name, value] : words)
       write_text(file, name, value, path_);
     write_table(file, "centroid", facets.centroids, 3, path_);

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/io/file/file_format.h>
 #include <contrecoup/io/file/hdf5_input.h>
 #include <contrecoup/io/output/load_reader.h>
 
@@ -26,6 +27,9 @@ namespace io
     : path_(path)
   {
     const Hdf5Input file(path);
+    // Loads of other programs need not have a format.
+    if (file.has_attribute("format"))
+      require_readable(formats::loads, file.text("format"), path);
     facets_.centroids = file.numbers("centroid");
     facets_.normals = file.numbers("normal");
     facets_.areas = file.numbers("area");

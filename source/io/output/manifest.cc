@@ -5,6 +5,7 @@
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/base/system/version.h>
 #include <contrecoup/io/file/checked_file.h>
+#include <contrecoup/io/file/file_format.h>
 #include <contrecoup/io/file/name_patterns.h>
 #include <contrecoup/io/output/folder_lock.h>
 #include <contrecoup/io/output/manifest.h>
@@ -154,6 +155,7 @@ namespace io
     const std::string file = path(name);
     if (!fs::exists(fs::symlink_status(file, ignored)))
       return;
+    read_json(file, formats::manifest);
     try
     {
       read(read_file(file));
@@ -189,6 +191,7 @@ namespace io
   {
     const Json json = {
       {"application", application_},
+      {"format", formats::manifest.number},
       {"version", version()},
       {"git_revision", git_revision()},
       {"status", status_},

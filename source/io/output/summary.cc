@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/system/version.h>
+#include <contrecoup/io/file/file_format.h>
 #include <contrecoup/io/output/summary.h>
 #include <contrecoup/io/run/plan_table.h>
 
@@ -107,6 +108,7 @@ namespace io
     for (const auto &[name, seconds] : summary.timers)
       timers[name] = number(seconds);
     Json json = {{"application", summary.application},
+                 {"format", formats::summary.number},
                  {"version", version()},
                  {"git_revision", git_revision()},
                  {"status", summary.status}};

@@ -3,6 +3,7 @@
 
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/version.h>
+#include <contrecoup/io/file/file_format.h>
 #include <contrecoup/io/run/run_description.h>
 
 #include <nlohmann/json.hpp>
@@ -35,12 +36,12 @@ namespace io
     void require_same_format(const Json &json, const std::string &build)
     {
       const Json format = json.value("format", Json());
-      if (format == checkpoint_format)
+      if (format == formats::checkpoint.number)
         return;
       throw InputError(
         "the checkpoint was written by " + build + " in format " +
         (format.is_null() ? "0" : format.dump()) + "; this is " + this_build() +
-        " and reads format " + std::to_string(checkpoint_format) +
+        " and reads format " + std::to_string(formats::checkpoint.number) +
         ": go on with the former, or begin anew with --overwrite");
     }
   } // namespace
@@ -65,7 +66,7 @@ namespace io
     const Json text = {{"application", description.application},
                        {"version", version()},
                        {"git_revision", git_revision()},
-                       {"format", checkpoint_format},
+                       {"format", formats::checkpoint.number},
                        {"state", state},
                        {"history_bytes", description.history_bytes},
                        {"probes_bytes", description.probes_bytes},

@@ -5,6 +5,7 @@
 #include <contrecoup/gas/hand_over/profile_extraction.h>
 #include <contrecoup/gas/hand_over/profile_mapping.h>
 #include <contrecoup/gas/octree/leaf_box.h>
+#include <contrecoup/io/file/checked_file.h>
 
 #include "gas_run.h"
 #include <gtest/gtest.h>
@@ -233,6 +234,30 @@ TEST(ProfileFile, RefusesOtherFiles)
   EXPECT_THROW(read_profile(scratch("text.csv")), InputError);
 }
 
+
+TEST(ProfileFile, RefusesANewerFormat)
+{
+  for (const char *name : {"newer.csv", "newer.h5"})
+  {
+    write_profile(scratch(name), blast_data(3));
+    std::string text = io::read_file(scratch(name));
+    const std::string format = "contrecoup profile 1";
+    ASSERT_NE(text.find(format), std::string::npos) << name;
+    text[text.find(format) + format.size() - 1] = '2';
+    io::write_file(scratch(name), [&](std::ostream &out) { out << text; });
+    try
+    {
+      read_profile(scratch(name));
+      ADD_FAILURE() << name;
+    }
+    catch (const InputError &error)
+    {
+      EXPECT_EQ(error.what(),
+                "\"" + scratch(name) +
+                  "\" has format 2, this program reads up to 1");
+    }
+  }
+}
 
 TEST(ProfileMapping, KeepsTotalsInSpaceAndItsParts)
 {

@@ -17,10 +17,6 @@ namespace contrecoup
 {
 namespace io
 {
-  /// Format number of checkpoints: run.json and the solvers' files. Increase
-  /// it with any change of them, so that other builds refuse the files.
-  constexpr int checkpoint_format = 12;
-
   /// State of run loop and outputs in a checkpoint: run.json.
   struct RunDescription
   {
