@@ -40,7 +40,12 @@ namespace
        1e15,
        "Pa",
        "With Poisson's ratio in place of bulk and shear modulus."},
-      {"Poisson's ratio", -0.999, 0.4999999, "-", "See Young's modulus."},
+      {"Poisson's ratio",
+       -0.999,
+       0.499999, // no more digits: deal.II prints and rereads six
+       "-",
+       "See Young's modulus; tissues that are less compressible need Bulk "
+       "modulus and Shear modulus."},
       {"Bulk modulus",
        1e-6,
        1e15,
@@ -90,6 +95,12 @@ namespace
   {
     const double k = material.bulk_modulus, g = material.instantaneous_shear;
     return (3. * k - 2. * g) / (2. * (3. * k + g));
+  }
+
+  /// Digits of a property in words; rounded Poisson's ratios become 0.5.
+  int digits_of(const std::string &name)
+  {
+    return name == "Poisson's ratio" ? 8 : 4;
   }
 
   /// The property of a material, by the name of its entry.
@@ -301,7 +312,8 @@ SolidMaterial OwnTissues::apply(const Tissue tissue,
 
 std::string OwnTissues::Change::in_words() const
 {
-  return entry + " = " + brief(value) + (unit == "-" ? "" : " " + unit);
+  return entry + " = " + brief(value, digits_of(entry)) +
+         (unit == "-" ? "" : " " + unit);
 }
 
 
@@ -331,7 +343,9 @@ std::string OwnTissues::changes_in_words(const Tissue tissue,
   for (const Change &change : changes(tissue, library))
     words.push_back(
       change.in_words() +
-      (change.before ? " instead of " + brief(*change.before) : ""));
+      (change.before
+         ? " instead of " + brief(*change.before, digits_of(change.entry))
+         : ""));
   return join(words, ", ");
 }
 

@@ -363,6 +363,9 @@ TEST_F(Images, BadImagesAreRefusedInOneLine)
   expect(refusal({good, "Image/Labels=1 brain"}), "row \"1 brain\"");
   expect(refusal({good, "Image/Labels=x: brain"}), "\"x\" is not a label");
   expect(refusal({good, "Image/Labels=5-2: brain"}), "below its first");
+  expect(refusal({good, "Image/Labels=1: brain; 7: lung; 2-7: heart"}),
+         "Body/Image/Labels names the label 7 twice: \"7: lung\" and \"2-7: "
+         "heart\"");
   expect(refusal({good, "Image/Labels=1: brian"}), "did you mean \"brain\"");
   expect(refusal({good}), "Body/Image/Labels is empty");
   expect(refusal({}), "Body/Image/File is empty");

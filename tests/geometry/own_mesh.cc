@@ -224,8 +224,7 @@ TEST_F(OwnMesh, GroupsHaveTissuesByNumberOrName)
 {
   const std::string named = write("a.msh", gmsh_2(two_names));
   for (const std::string table : {"inside: brain; skull bone: skeleton",
-                                  "1: brain; skull bone: skeleton",
-                                  "1-2: brain; 2: skeleton"})
+                                  "1: brain; skull bone: skeleton"})
   {
     const BodyPointer body = create(named, {"Mesh/Tissues=" + table});
     EXPECT_EQ(body->parts()[0].tissue, Tissue::brain) << table;
@@ -250,6 +249,9 @@ TEST_F(OwnMesh, GroupsHaveTissuesByNumberOrName)
   expect(refusal(named, {"Mesh/Tissues=1-2: brain; scalp: skin"}),
          "Body/Mesh/Tissues = \"scalp: skin\" selects no cell of the mesh: its "
          "groups are 1 \"inside\" (1 cells), 2 \"skull bone\" (1 cells)");
+  expect(refusal(named, {"Mesh/Tissues=1-2: brain; skull bone: skeleton"}),
+         "Body/Mesh/Tissues, row \"skull bone: skeleton\": a row before it "
+         "gives group 2 a tissue");
   expect(refusal(named, {"Mesh/Tissues=1: brian"}), "did you mean \"brain\"");
   expect(refusal(named, {"Mesh/Tissues=brain"}), "must read \"group: tissue\"");
 }
@@ -286,6 +288,49 @@ TEST_F(OwnMesh, UnusableFilesSayWhatIsAccepted)
   expect(refusal(write("i.msh", gmsh_2("")), {"Mesh/Unit=m", all[0]}),
          "Body/Mesh/Unit = cm would make it 0.2 m");
   expect(refusal("", all), "Body/Mesh/File is empty");
+}
+
+
+// Cubes that are written one by one, each with nodes of its own.
+TEST_F(OwnMesh, CoincidentNodesAreMerged)
+{
+  const auto file = [](const std::vector<double> &places) {
+    std::ostringstream text;
+    text << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n"
+         << 8 * places.size() << "\n";
+    unsigned int number = 0;
+    for (const double place : places)
+      for (const unsigned int corner : cubes[0])
+        text << ++number << " " << node(corner) + Point<3>(place, 0., 0.)
+             << "\n";
+    text << "$EndNodes\n$Elements\n" << places.size() << "\n";
+    for (unsigned int cell = 0; cell < places.size(); ++cell)
+    {
+      text << cell + 1 << " 5 2 " << cell + 1 << " 1";
+      for (unsigned int v = 1; v <= 8; ++v)
+        text << " " << 8 * cell + v;
+      text << "\n";
+    }
+    text << "$EndElements\n";
+    return text.str();
+  };
+  const std::string tissues = "Mesh/Tissues=1-3: brain";
+  const BodyPointer body =
+    create(write("a.msh", file({10., 0., 20. + 1e-7})), {tissues});
+  EXPECT_EQ(body->own_mesh()->nodes.size(), 16u);
+  EXPECT_EQ(body->own_mesh()->boundary.size(), 14u);
+  EXPECT_EQ(count_components(*body->own_mesh(), {0, 0, 0})[LabelGrid::outside],
+            1u);
+  const auto remarks = body->remarks();
+  EXPECT_EQ(
+    std::count(remarks.begin(), remarks.end(), "8 coincident nodes merged"), 1);
+  // Apart, they stay so.
+  const BodyPointer apart =
+    create(write("b.msh", file({0., 10.1})), {"Mesh/Tissues=1-2: brain"});
+  EXPECT_EQ(apart->own_mesh()->nodes.size(), 16u);
+  EXPECT_EQ(apart->own_mesh()->boundary.size(), 12u);
+  expect(refusal(write("c.msh", file({0., 10., 0.})), {tissues}),
+         "more than two cells have the face with a corner at (");
 }
 
 

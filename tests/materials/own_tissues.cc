@@ -134,6 +134,10 @@ TEST(OwnTissues, RefusesContradictionsAndWhatHasNoEffect)
   EXPECT_NE(refusal({"lung/Modulus without gas=1e5"})
               .find("must be at least the bulk modulus"),
             std::string::npos);
+  EXPECT_NE(refusal({"gelatin/Poisson's ratio=0.5"}).find("0.499999"),
+            std::string::npos)
+    << refusal({"gelatin/Poisson's ratio=0.5"});
+  EXPECT_EQ(refusal({"gelatin/Poisson's ratio=0.499999"}), "");
   EXPECT_NE(refusal({"brain/Density=1", "Brain/Bulk modulus=1"})
               .find("a second section of this tissue"),
             std::string::npos);

@@ -127,6 +127,13 @@ std::vector<LabelRow> parse_label_table(const std::string &text)
   if (table.size() >= LabelGrid::outside)
     throw InputError("Body/Image/Labels has " + std::to_string(table.size()) +
                      " rows, at most 254 are allowed");
+  for (std::size_t b = 1; b < table.size(); ++b)
+    for (std::size_t a = 0; a < b; ++a)
+      if (table[a].first <= table[b].last && table[b].first <= table[a].last)
+        throw InputError(
+          "Body/Image/Labels names the label " +
+          std::to_string(std::max(table[a].first, table[b].first)) +
+          " twice: \"" + table[a].text + "\" and \"" + table[b].text + "\"");
   return table;
 }
 

@@ -6,6 +6,7 @@
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/geometry/body/mesh_body.h>
 #include <contrecoup/geometry/mesh/cell_shapes.h>
+#include <contrecoup/geometry/mesh/coincident_nodes.h>
 #include <contrecoup/geometry/mesh/hex_quality.h>
 #include <contrecoup/geometry/mesh/mesh_file.h>
 #include <contrecoup/geometry/mesh/mesh_format.h>
@@ -221,6 +222,7 @@ BodyPointer MeshBodyDescription::create(const double scale) const
   dealii::Triangulation<3> triangulation;
   read_mesh_file(file_, entry, triangulation);
   check_cell_shapes(triangulation, where);
+  const std::string merged = merge_coincident_nodes(triangulation, where);
   if (const auto place = find_hanging_vertex(triangulation))
     throw InputError(where + ": the node at (" + brief((*place)[0]) + ", " +
                      brief((*place)[1]) + ", " + brief((*place)[2]) +
@@ -248,6 +250,8 @@ BodyPointer MeshBodyDescription::create(const double scale) const
   remarks.insert(remarks.begin(),
                  "mesh of " + std::to_string(body->own_mesh()->cells.size()) +
                    " hexahedra of your own: " + join(parts, ", "));
+  if (!merged.empty())
+    remarks.push_back(merged);
   if (worst < SmoothingOptions().smallest_scaled_jacobian)
     remarks.push_back("WARNING: " + where +
                       ": its worst hexahedron has a scaled Jacobian of " +

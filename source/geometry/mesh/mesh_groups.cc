@@ -124,6 +124,10 @@ std::vector<BodyPart> MeshGroups::assign(const Names &names,
     for (std::size_t i = 0; i < rows_.size(); ++i)
       if (means(rows_[i].group, number, names))
       {
+        if (part)
+          throw InputError(entry_ + ", row \"" + rows_[i].text +
+                           "\": a row before it gives group " +
+                           std::to_string(number) + " a tissue");
         part = rows_[i].part;
         n_cells[i] += count;
       }

@@ -8,6 +8,7 @@
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/log.h>
 #include <contrecoup/base/system/text.h>
+#include <contrecoup/geometry/mesh/coincident_nodes.h>
 #include <contrecoup/geometry/mesh/hex_quality.h>
 #include <contrecoup/geometry/mesh/mesh_file.h>
 #include <contrecoup/geometry/mesh/stray_cells.h>
@@ -192,6 +193,10 @@ HexMesh MeshDescription::from_triangulation() const
   if (kind_ == "file")
   {
     read_mesh_file(file_, "Mesh/File", mesh);
+    if (const std::string merged =
+          merge_coincident_nodes(mesh, "Mesh/File = " + file_);
+        !merged.empty())
+      log_line(merged);
     parts = groups_.assign(read_group_names(file_, 3), mesh);
     mesh.refine_global(refinements_);
   }
