@@ -59,13 +59,14 @@ def waves(scene):
         # Beside the plane of symmetry, where elements have no faces.
         panels = fields.cut_fields(outputs, 1e-4)
         whole = page.drawn(body_cuts.draw_pressures, panels, is_head)
-        head = None if is_head else page.drawn(body_cuts.draw_pressures,
-                                               panels, True)
+        in_middle = _tissues_at(outputs[0][1], 1e-4)
+        head = page.drawn(body_cuts.draw_pressures, panels, True) \
+            if "brain" in in_middle and not is_head else None
         panels_beside = fields.cut_fields(outputs, place)
         beside = page.drawn(body_cuts.draw_pressures, panels_beside, is_head)
         tissues = _tissues_at(outputs[0][1], place)
         stiff = " The stiff skeleton stands out." \
-            if "skeleton" in _tissues_at(outputs[0][1], 1e-4) else ""
+            if "skeleton" in in_middle else ""
     times = page.moments([time for time, _ in outputs])
     middle = _middle_plane(scene)
     parts = [
@@ -167,6 +168,10 @@ def _draw_peaks(found):
 def histories(scene):
     """Pressure and strain over time where probes are."""
     probes = scene.biomechanics.table("probes.csv")
+    if not scene.biomechanics.parameters.get("Probes/Points"):
+        return [page.paragraph(
+            "There are no histories in tissues: no place was named (entry "
+            "Biomechanics/Probes/Points).", kind="note")]
     if probes is None:
         return [page.missing("probes.csv of biomechanics")]
     places = tissue_places.find_places(scene)

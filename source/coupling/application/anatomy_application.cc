@@ -139,10 +139,14 @@ namespace coupling
                            parameters_.own_tissues);
       }
 
-      /// Warns of layers of the user that are thick enough for elements and yet
-      /// in pieces.
+      /// Warns of a body in pieces, and of layers of the user that are thick
+      /// enough for elements and yet in pieces.
       void warn_of_pieces(const BodyReport &report) const
       {
+        if (const unsigned int n = report.rows.back().components; n > 1)
+          log_line("WARNING: the body is in " + std::to_string(n) +
+                   " pieces of elements that share no face; biomechanics "
+                   "passes no load from one to the other");
         for (const BodyLayer &layer : parameters_.layers)
           for (const ReportRow &row : report.rows)
             if (row.kind == "part" && row.components > 1 && !layer.is_usual &&

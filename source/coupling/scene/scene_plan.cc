@@ -176,9 +176,7 @@ namespace
             "number of cells in the positive phase at the body",
             "-",
             n_cells,
-            scene.cell_size > 0.
-              ? least_cells
-              : std::min(least_cells, scene.accuracy.cells_per_phase),
+            std::min(least_cells, scene.accuracy.cells_per_phase),
             true,
             is_finest || scene.cell_size > 0. ? "Scene/Cell size"
                                               : "Scene/Accuracy"};
