@@ -911,6 +911,12 @@ class ReportTest(unittest.TestCase):
         self.assertEqual(verdict._lungs([mesh]).words, "lungs not judged")
         self.assertIsNone(verdict._lungs([]))
 
+    def test_curves_of_head_injury_keep_their_order(self):
+        """AIS 3 or worse includes AIS 4, where the fits cross, too."""
+        chances = [injury_thresholds.probability(f"hic15_ais{level}", 8246.)
+                   for level in (2, 3, 4)]
+        self.assertEqual(chances, sorted(chances, reverse=True))
+
     def test_gauge_named_back_is_no_chest(self):
         """A box with a gauge of that name has no lungs."""
         box = types.SimpleNamespace(

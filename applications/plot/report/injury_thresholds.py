@@ -119,7 +119,9 @@ def probability(curve, value):
     place = known["intercept"] + known["slope"] * math.log(value) - 5. \
         if known["law"] == "probit" else \
         (math.log(value) - known["mean"]) / known["deviation"]
-    return 0.5 * math.erfc(-place / math.sqrt(2.))
+    below = 0.5 * math.erfc(-place / math.sqrt(2.))
+    return max(below, probability(known["includes"], value)) \
+        if "includes" in known else below
 
 
 def title(name):

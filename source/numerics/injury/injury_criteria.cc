@@ -130,8 +130,18 @@ double InjuryCurve::probability(const double value) const
     return injury_curve_constant(name, of);
   };
   if (law == "lognormal")
-    return normal_part_below((std::log(value) - constant("mean")) /
-                             constant("deviation"));
+  {
+    const double own = normal_part_below((std::log(value) - constant("mean")) /
+                                         constant("deviation"));
+    // Fits of different deviation cross; an event that includes another one is
+    // at least as probable.
+    const auto &curve = data()["curves"][name];
+    return curve.contains("includes")
+             ? std::max(own,
+                        injury_curve(curve["includes"].get<std::string>())
+                          .probability(value))
+             : own;
+  }
   if (law == "probit")
     return normal_part_below(constant("intercept") +
                              constant("slope") * std::log(value) - 5.);

@@ -156,6 +156,14 @@ TEST(InjuryCurves, OfTheHeadAreThoseOfNhtsa)
     EXPECT_GT(injury_curve("hic15_ais3").probability(hic),
               injury_curve("hic15_ais4").probability(hic));
   }
+  // The fits cross at 5297 and 51000; AIS 3 or worse includes AIS 4.
+  for (const double hic : {5200., 8246., 1e5})
+  {
+    EXPECT_GE(slight.probability(hic),
+              injury_curve("hic15_ais3").probability(hic));
+    EXPECT_GE(injury_curve("hic15_ais3").probability(hic),
+              injury_curve("hic15_ais4").probability(hic));
+  }
   EXPECT_EQ(slight.probability(0.), 0.);
   EXPECT_EQ(slight.probability(-1.), 0.);
   EXPECT_THROW(injury_curve("hic15"), InputError);
