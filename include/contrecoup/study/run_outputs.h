@@ -26,7 +26,7 @@ struct RunOutput
  *   blast/results.loads_chest_peak  the same in the folder of a scene's stage
  *   scene.json:distance             path in another JSON file
  *   blast/gauge_measures.csv:chest:peak    table, name of a row, column
- *   probes.csv:arrival:pressure_1          feature of a column over time
+ *   probes.csv:arrival:probe_1_pressure    feature of a column over time
  * The features of a column over time are first, last, largest, smallest, and
  * those of a Curve: peak, lowest, impulse, arrival.
  */
