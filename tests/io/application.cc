@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/io/application/run_entries.h>
+
 #include "harness.h"
+#include "oscillator.h"
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -54,6 +57,28 @@ TEST(Application, ScreenIsShortUnlessVerbose)
   EXPECT_EQ(result.out.find("oscillator "), 0U);
   EXPECT_NE(result.out.find("\nfinished at step "), std::string::npos);
   EXPECT_NE(result.out.find("\nresults in " + folder), std::string::npos);
+}
+
+TEST(Application, RunsEntriesThatAProgramSets)
+{
+  const std::string by_file = local("by_file"),
+                    by_entries = local("by_entries");
+  remove(by_file);
+  remove(by_entries);
+  EXPECT_EQ(run_scene(by_file).code, 0);
+
+  const ApplicationDescription oscillator = oscillator_application();
+  dealii::ParameterHandler prm;
+  declare_entries(oscillator, prm);
+  prm.parse_input(scene());
+  CommandLine command;
+  command.output_folder = by_entries;
+  EXPECT_EQ(run_entries(command, prm, oscillator).message, "");
+  expect_same_results(by_file, by_entries);
+
+  const contrecoup::Failure again = run_entries(command, prm, oscillator);
+  EXPECT_EQ(again.code, contrecoup::ExitCode::bad_input);
+  EXPECT_NE(again.message.find(by_entries), std::string::npos) << again.message;
 }
 
 TEST(Application, LeavesTheFilesOfTheContract)

@@ -14,6 +14,7 @@
 #include <contrecoup/gas/run/run_profile.h>
 #include <contrecoup/gas/scene/scene_selections.h>
 #include <contrecoup/gas/state/leaf_sampling.h>
+#include <contrecoup/gas/state/point_sampler.h>
 #include <contrecoup/io/file/checked_file.h>
 
 #include <sstream>
@@ -275,6 +276,16 @@ void GasSimulation<dim>::restore(const std::string &folder)
   if (!stream)
     throw InputError("Checkpoint file " + folder +
                      "/gas.bin belongs to another scene");
+}
+
+
+template <int dim>
+std::vector<GasState<dim>> GasSimulation<dim>::states_at(
+  const std::vector<dealii::Point<dim>> &places) const
+{
+  PointSampler<dim> sampler;
+  sampler.reinit(places, core_.mesh(), scene_.points);
+  return sampler.sample(core_.field(), scene_.material);
 }
 
 

@@ -7,7 +7,7 @@
 #include <contrecoup/base/system/timers.h>
 #include <contrecoup/io/application/application.h>
 #include <contrecoup/io/application/run.h>
-#include <contrecoup/io/run/command_line.h>
+#include <contrecoup/io/application/run_entries.h>
 
 #include <deal.II/base/exceptions.h>
 
@@ -21,13 +21,6 @@ namespace io
   {
     using dealii::ParameterHandler;
 
-    void declare(const ApplicationDescription &description,
-                 ParameterHandler &prm)
-    {
-      TimeParameters::declare_parameters(prm);
-      description.declare_parameters(prm);
-    }
-
     std::string text_on_request(const CommandLine &command,
                                 const ApplicationDescription &description)
     {
@@ -37,45 +30,21 @@ namespace io
         description.purpose,
         "Runs on several cores with mpirun -np N " + description.name +
           " FILE.prm ...",
-        [&](ParameterHandler &prm) { declare(description, prm); });
+        [&](ParameterHandler &prm) { declare_entries(description, prm); });
     }
 
-    void execute(const int argc,
-                 char **argv,
-                 const ApplicationDescription &description,
-                 Collective &collective)
+    /// Creates the solver and runs it, or describes the run.
+    void run_solver(const CommandLine &command,
+                    ParameterHandler &prm,
+                    const ApplicationDescription &description,
+                    Collective &collective)
     {
-      const MPI_Comm all = collective.communicator();
-      const bool first_rank =
-        dealii::Utilities::MPI::this_mpi_process(all) == 0;
-      Log::instance().close();
-      Log::instance().set_active(first_rank);
-      Timers::instance().reset();
-
-      CommandLine command;
-      ParameterHandler prm;
       std::unique_ptr<Simulation> simulation;
-      std::string text;
       collective.run(
         [&]() {
-          command = parse_command_line(argc, argv, description.name);
-          text = text_on_request(command, description);
-          if (!text.empty())
-            return;
-          declare(description, prm);
-          read_parameters(command, prm);
+          simulation = description.create(prm, collective.communicator());
         },
         ExitCode::bad_input);
-      if (!text.empty())
-      {
-        collective.run([&]() {
-          if (first_rank)
-            print_requested(text);
-        });
-        return;
-      }
-      collective.run([&]() { simulation = description.create(prm, all); },
-                     ExitCode::bad_input);
       Run run(command, description, prm, *simulation, collective);
       if (!command.check)
         run.execute();
@@ -85,32 +54,93 @@ namespace io
         SignalGuard::require_no_stop();
       }
     }
+
+    void execute(const std::vector<std::string> &arguments,
+                 const ApplicationDescription &description,
+                 Collective &collective)
+    {
+      CommandLine command;
+      ParameterHandler prm;
+      std::string text;
+      collective.run(
+        [&]() {
+          std::vector<const char *> argv;
+          for (const std::string &word : arguments)
+            argv.push_back(word.c_str());
+          command = parse_command_line(
+            static_cast<int>(argv.size()), argv.data(), description.name);
+          text = text_on_request(command, description);
+          if (!text.empty())
+            return;
+          declare_entries(description, prm);
+          read_parameters(command, prm);
+        },
+        ExitCode::bad_input);
+      if (text.empty())
+        run_solver(command, prm, description, collective);
+      else
+        collective.run([&]() {
+          if (dealii::Utilities::MPI::this_mpi_process(
+                collective.communicator()) == 0)
+            print_requested(text);
+        });
+    }
+
+    /// Runs @p work on all ranks with a log of its own, and returns its
+    /// failure.
+    Failure attempt(const std::function<void(Collective &)> &work)
+    {
+      Failure failure;
+      {
+        // The outer Collective terminates what the inner one cannot agree on.
+        Collective outer(MPI_COMM_WORLD);
+        Collective inner(MPI_COMM_WORLD);
+        try
+        {
+          outer.run([&]() {
+            Log::instance().close();
+            Log::instance().set_active(
+              dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0);
+            Timers::instance().reset();
+            work(inner);
+          });
+        }
+        catch (...)
+        {
+          failure =
+            to_failure(std::current_exception(), ExitCode::system_failed);
+        }
+      }
+      Log::instance().close();
+      return failure;
+    }
   } // namespace
+
+  void declare_entries(const ApplicationDescription &description,
+                       dealii::ParameterHandler &prm)
+  {
+    TimeParameters::declare_parameters(prm);
+    description.declare_parameters(prm);
+  }
 
   Failure run_within(const std::vector<std::string> &arguments,
                      const ApplicationDescription &description)
   {
-    std::vector<std::string> words = arguments;
-    std::vector<char *> argv;
-    for (std::string &word : words)
-      argv.push_back(word.data());
-    const int argc = static_cast<int>(argv.size());
-    Failure failure;
-    {
-      // The outer Collective terminates what the inner one cannot agree on.
-      Collective outer(MPI_COMM_WORLD);
-      Collective inner(MPI_COMM_WORLD);
-      try
-      {
-        outer.run([&]() { execute(argc, argv.data(), description, inner); });
-      }
-      catch (...)
-      {
-        failure = to_failure(std::current_exception(), ExitCode::system_failed);
-      }
-    }
-    Log::instance().close();
-    return failure;
+    return attempt([&](Collective &collective) {
+      execute(arguments, description, collective);
+    });
+  }
+
+  Failure run_entries(CommandLine command,
+                      dealii::ParameterHandler &prm,
+                      const ApplicationDescription &description)
+  {
+    // The run leaves its entries there.
+    if (command.parameter_file.empty())
+      command.parameter_file = command.output_folder + "/parameters.prm";
+    return attempt([&](Collective &collective) {
+      run_solver(command, prm, description, collective);
+    });
   }
 
   int run_with_mpi(

@@ -9,7 +9,10 @@
 #include <contrecoup/gas/record/probe_set.h>
 #include <contrecoup/gas/record/wall_loads.h>
 
+#include <memory>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 namespace contrecoup::gas
 {
@@ -46,12 +49,20 @@ public:
     return std::get<Kind>(recorders_);
   }
 
+  /// Adds a recorder that is not in RecorderList; it comes last.
+  void add(std::shared_ptr<Recorder<dim>> recorder)
+  {
+    added_.push_back(std::move(recorder));
+  }
+
   /// Calls @p function with each recorder.
   template <typename Function>
   void for_each(const Function &function)
   {
     std::apply([&](auto &...recorder) { (function(recorder), ...); },
                recorders_);
+    for (const auto &recorder : added_)
+      function(*recorder);
   }
 
   /// Concatenates the lists that @p function returns for each recorder.
@@ -67,6 +78,8 @@ public:
         result.push_back(std::move(item));
     };
     std::apply([&](auto &...recorder) { (add(recorder), ...); }, recorders_);
+    for (const auto &recorder : added_)
+      add(*recorder);
     return result;
   }
 
@@ -78,5 +91,6 @@ private:
   }
 
   RecorderList<dim> recorders_;
+  std::vector<std::shared_ptr<Recorder<dim>>> added_;
 };
 } // namespace contrecoup::gas

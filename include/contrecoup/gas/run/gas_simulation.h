@@ -85,6 +85,19 @@ public:
     return recorders_.template get<ProbeSet<dim>>();
   }
 
+  /// Adds a recorder of the program's own, which is called after all others.
+  /// Call before parse_parameters(). Checkpoints hold its record: a run resumed
+  /// from one needs the same recorders.
+  void add_recorder(std::shared_ptr<Recorder<dim>> recorder)
+  {
+    recorders_.add(std::move(recorder));
+  }
+
+  /// Primitive states at @p places [m], on every rank. Collective.
+  /// @throws InputError for a place outside of the mesh.
+  std::vector<GasState<dim>>
+  states_at(const std::vector<dealii::Point<dim>> &places) const;
+
   /// As setup(), but starts from @p profile around @p centre [m] at the
   /// profile's time.
   /// @throws InputError when the profile does not fit the domain.

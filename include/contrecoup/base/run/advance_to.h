@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/base/run/simulation.h>
+
+#include <cstdint>
+
+namespace contrecoup
+{
+/// Steps and adapts a solver that is set up until its time is @p end [s], as a
+/// RunLoop does, but without output. Collective.
+/// @return number of steps
+/// @throws NumericsError when no step size gives a physical state
+std::uint64_t advance_to(Simulation &simulation, const double end);
+} // namespace contrecoup
