@@ -11,7 +11,9 @@ function(contrecoup_add_layer name)
   # Without the macro that CMake defines in each shared library: sources that
   # have another one could not take the precompiled header.
   set_target_properties(${target} PROPERTIES DEFINE_SYMBOL ""
-    LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/lib)
+    LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/lib
+    VERSION ${PROJECT_VERSION}
+    SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
   target_link_options(${target} PRIVATE -Wl,--no-undefined)
   foreach(_lower ${ARG_DEPENDS})
     target_link_libraries(${target} contrecoup_${_lower})

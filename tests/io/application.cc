@@ -75,10 +75,6 @@ TEST(Application, RunsEntriesThatAProgramSets)
   command.output_folder = by_entries;
   EXPECT_EQ(run_entries(command, prm, oscillator).message, "");
   expect_same_results(by_file, by_entries);
-
-  const contrecoup::Failure again = run_entries(command, prm, oscillator);
-  EXPECT_EQ(again.code, contrecoup::ExitCode::bad_input);
-  EXPECT_NE(again.message.find(by_entries), std::string::npos) << again.message;
 }
 
 TEST(Application, LeavesTheFilesOfTheContract)

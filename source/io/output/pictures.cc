@@ -5,6 +5,8 @@
 #include <contrecoup/base/system/shell_word.h>
 #include <contrecoup/io/output/pictures.h>
 
+#include <dlfcn.h>
+
 #include <cstdio>
 #include <filesystem>
 #include <sstream>
@@ -57,13 +59,22 @@ namespace io
 
   std::string plot_program()
   {
-    std::error_code ignored;
-    const std::filesystem::path application =
-      std::filesystem::read_symlink("/proc/self/exe", ignored);
-    const std::filesystem::path installed =
-      application.parent_path().parent_path() / CONTRECOUP_INSTALLED_PLOT;
-    return std::filesystem::exists(installed, ignored) ? installed.string()
-                                                       : CONTRECOUP_SOURCE_PLOT;
+    // Where the library is installed, whichever program uses it.
+    Dl_info library;
+    static const char inside = 0;
+    if (dladdr(&inside, &library) != 0)
+    {
+      namespace fs = std::filesystem;
+      std::error_code ignored;
+      fs::path folder = fs::canonical(library.dli_fname, ignored);
+      while (folder.has_relative_path())
+      {
+        folder = folder.parent_path();
+        if (fs::exists(folder / CONTRECOUP_INSTALLED_PLOT, ignored))
+          return (folder / CONTRECOUP_INSTALLED_PLOT).string();
+      }
+    }
+    return CONTRECOUP_SOURCE_PLOT;
   }
 
   void draw(const std::string &picture_command,
