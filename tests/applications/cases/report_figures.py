@@ -157,7 +157,8 @@ class Files:
 
     def load_of_lungs(self):
         """Name and value of the load from which death by lung injury follows."""
-        key = ("lung_exposure", self.side if self.trunk_is_far else "probe 1")
+        key = ("lung_exposure", self.side if self.trunk_is_far
+               or not self.has_probe_at_body() else "probe 1")
         return OF_SKIN[key], self.skin[key]
 
     def _lungs_by_the_skin(self, skin):
