@@ -1,11 +1,30 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/base/system/text.h>
 #include <contrecoup/gas/record/gauge_tables.h>
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <map>
+
+using namespace contrecoup;
 using namespace contrecoup::gas;
+
+namespace
+{
+/// Text between the commas of each line.
+std::vector<std::vector<std::string>> rows_of(const std::string &table)
+{
+  std::vector<std::vector<std::string>> rows;
+  for (const std::string &line : split(table, '\n'))
+    if (!line.empty())
+      rows.push_back(split(line, ','));
+  return rows;
+}
+} // namespace
+
 
 // Bowen's curves follow from the positive phase: of one that the end of the run
 // cuts off, the load of the lungs is a lower limit, the peak at an ear is not.
@@ -23,4 +42,181 @@ TEST(GaugeTables, CallTheLoadOfACutPositivePhaseALowerLimit)
     EXPECT_EQ(first != std::string::npos, duration > 1e-3) << table;
     EXPECT_EQ(table.find("a lower limit", first + 1), std::string::npos);
   }
+}
+
+
+// A back that bears three times the load of the chest.
+TEST(GaugeTables, HaveChestAndBack)
+{
+  GaugeBlast front{"chest", {200e3, 400., 5e-6, 5e-3}, 5e-6, {}};
+  GaugeBlast rear{"back", {600e3, 1200., 5e-6, 5e-3}, 5e-6, {}};
+  std::vector<double> times;
+  for (unsigned int i = 0; i <= 1000; ++i)
+  {
+    const double x = i / 1000.;
+    times.push_back(5e-3 * x);
+    front.overpressures.push_back(200e3 * (1. - x) * std::exp(-x));
+    rear.overpressures.push_back(3. * front.overpressures.back());
+  }
+  const auto rows = rows_of(gauge_injury_table({rear, front}, times, 70.));
+  ASSERT_EQ(rows.size(), 6U);
+  EXPECT_EQ(rows[1][0] + " " + rows[1][1], "chest_wall_velocity chest");
+  EXPECT_NEAR(std::stod(rows[1][2]), 6.020, 1e-3);
+  EXPECT_EQ(rows[2][0] + " " + rows[2][1], "chest_wall_velocity back");
+  EXPECT_EQ(rows[3][0] + " " + rows[3][1], "chest_wall_velocity trunk");
+  EXPECT_DOUBLE_EQ(std::stod(rows[3][2]),
+                   0.5 * (std::stod(rows[1][2]) + std::stod(rows[2][2])));
+  EXPECT_EQ(rows[4][0] + " " + rows[4][1], "lung_exposure chest");
+  EXPECT_NEAR(std::stod(rows[4][2]), 200. / 941., 1e-3);
+  EXPECT_EQ(rows[5][0] + " " + rows[5][1], "lung_exposure back");
+  EXPECT_NEAR(std::stod(rows[5][2]), 600. / 941., 1e-3);
+}
+
+
+namespace
+{
+/// A gauge that sees a wave of 200 kPa and 5 ms, times @p part.
+GaugeBlast scaled_wave(const std::string &place,
+                       const double part,
+                       const std::vector<double> &times)
+{
+  GaugeBlast found{place, {part * 200e3, 400., 5e-6, 5e-3}, 5e-6, {}};
+  for (const double time : times)
+    found.overpressures.push_back(part * 200e3 * (1. - time / 5e-3) *
+                                  std::exp(-time / 5e-3));
+  return found;
+}
+} // namespace
+
+
+// One arm, as before a plane of symmetry, stands for both.
+TEST(GaugeTables, TakeTheMeanOverTheTrunk)
+{
+  std::vector<double> times;
+  for (unsigned int i = 0; i <= 1000; ++i)
+    times.push_back(5e-6 * i);
+  const auto gauge = [&](const std::string &place, const double part) {
+    return scaled_wave(place, part, times);
+  };
+  const auto find = [&](const std::vector<GaugeBlast> &gauges) {
+    std::map<std::string, double> found;
+    for (const auto &row : rows_of(gauge_injury_table(gauges, times, 70.)))
+      if (row[0] == "chest_wall_velocity")
+        found[row[1]] = std::stod(row[2]);
+    return found;
+  };
+  const GaugeBlast front = gauge("chest", 1.), rear = gauge("back", 0.5),
+                   left = gauge("left upper arm", 2.),
+                   right = gauge("right upper arm", 0.7);
+  const auto half = find({front, rear, left});
+  EXPECT_NEAR(
+    half.at("trunk"),
+    (half.at("chest") + half.at("back") + 2. * half.at("left upper arm")) / 4.,
+    1e-12);
+  const auto whole = find({front, rear, left, right});
+  EXPECT_NEAR(whole.at("trunk"),
+              (whole.at("chest") + whole.at("back") +
+               whole.at("left upper arm") + whole.at("right upper arm")) /
+                4.,
+              1e-12);
+  EXPECT_GT(half.at("trunk"), whole.at("trunk"));
+}
+
+
+// Of a person who turns a side to the charge.
+TEST(GaugeTables, HaveTheLoadOfTheLungsOnAllSides)
+{
+  std::vector<double> times;
+  for (unsigned int i = 0; i <= 1000; ++i)
+    times.push_back(5e-6 * i);
+  const std::string table(
+    gauge_injury_table({scaled_wave("chest", 0.5, times),
+                        scaled_wave("left upper arm", 1., times),
+                        scaled_wave("left thigh", 1., times)},
+                       times,
+                       70.));
+  std::map<std::string, double> found;
+  for (const auto &row : rows_of(table))
+    if (row[0] == "lung_exposure")
+      found[row[1]] = std::stod(row[2]);
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_NEAR(found.at("left upper arm"), 200. / 941., 1e-3);
+  EXPECT_NEAR(found.at("chest"), 100. / 941., 1e-3);
+}
+
+
+// A blast test device whose gauges see 2, 1, 1 and 0.5 times the same wave;
+// half of it has one side for both.
+TEST(GaugeTables, TakeTheMeanOfABlastTestDevice)
+{
+  std::vector<double> times;
+  for (unsigned int i = 0; i <= 1000; ++i)
+    times.push_back(5e-6 * i);
+  const auto gauge = [&](const std::string &side, const double part) {
+    return scaled_wave("device " + side, part, times);
+  };
+  const std::vector<GaugeBlast> half = {
+    gauge("front", 2.), gauge("left", 1.), gauge("back", 0.5)};
+  std::vector<GaugeBlast> whole = half;
+  whole.push_back(gauge("right", 1.));
+  const std::string text = gauge_injury_table(half, times, 70.);
+  EXPECT_EQ(gauge_injury_table(whole, times, 70.), text);
+  const auto rows = rows_of(text);
+  ASSERT_EQ(rows.size(), 3U);
+  EXPECT_EQ(rows[1][0] + " " + rows[1][1], "chest_wall_velocity device");
+  // 11.547, twice 6.020 and 3.04 m/s; tests/numerics has the first two.
+  const double velocity = std::stod(rows[1][2]);
+  EXPECT_GT(velocity, (11.547 + 2. * 6.020 + 2.9) / 4.);
+  EXPECT_LT(velocity, (11.547 + 2. * 6.020 + 3.1) / 4.);
+  EXPECT_EQ(rows[2][0] + " " + rows[2][1], "thorax_injury_index device");
+  EXPECT_NEAR(
+    std::stod(rows[2][2]), std::pow(0.124 + 0.117 * velocity, 2.63), 1e-12);
+  EXPECT_EQ(gauge_injury_table({half[0], half[2]}, times, 70.), "");
+}
+
+
+// 200 kPa of 5 ms: 310 kPa with the dynamic pressure, where 941 kPa kill half.
+TEST(GaugeTables, TellWhatAWaveDoesToAPersonInTheAir)
+{
+  const BlastMeasures wave{200e3, 400., 1e-3, 5e-3};
+  ExposureRecord exposure;
+  exposure.load = standing_load(200e3, 101325.);
+  exposure.chest.largest_velocity = 6.;
+  const std::string table(
+    air_injury_table({{"probe 1", wave, 101325., exposure, 500.},
+                      {"probe 2", {}, 101325., {}, 0.},
+                      {"probe 3", wave, 1., exposure, 500.}},
+                     70.,
+                     false));
+  const auto rows = rows_of(table);
+  ASSERT_EQ(rows.size(), 4U);
+  EXPECT_EQ(join(rows[0], ","), "measure,place,value,unit,definition");
+  EXPECT_EQ(rows[1][0] + " " + rows[1][1], "lung_exposure probe 1");
+  EXPECT_NEAR(std::stod(rows[1][2]), 310. / 941., 1e-3);
+  EXPECT_EQ(rows[2][0] + " " + rows[2][1], "lung_lethality probe 1");
+  EXPECT_LT(std::stod(rows[2][2]), 1e-8);
+  EXPECT_EQ(rows[3][0] + " " + rows[3][1], "eardrum_rupture probe 1");
+  EXPECT_NEAR(std::stod(rows[3][2]), 0.84, 0.01);
+  EXPECT_EQ(air_injury_table({{"probe 2", {}, 101325., {}, 0.}}, 70., true),
+            "");
+
+  // The motion of the chest and the 4 psi of training where they are asked for.
+  ExposureRecord unknown;
+  unknown.continue_after({20e3, 1e-3, 40., 40., 6e-3}, 101325.);
+  const std::string more(air_injury_table(
+    {{"probe 1", wave, 101325., exposure, 500.},
+     {"probe 2", {20e3, 40., 1e-3, 5e-3}, 101325., unknown, 40.}},
+    70.,
+    true));
+  const auto all = rows_of(more);
+  ASSERT_EQ(all.size(), 12U);
+  EXPECT_EQ(all[4][0] + " " + all[4][1], "chest_wall_velocity probe 1");
+  EXPECT_EQ(std::stod(all[4][2]), 6.);
+  EXPECT_EQ(all[5][0] + " " + all[5][1], "first_phase_fraction probe 1");
+  EXPECT_EQ(std::stod(all[5][2]), 0.8);
+  EXPECT_EQ(all[6][0] + " " + all[6][1], "peak_overpressure probe 1");
+  EXPECT_NE(all[6][4].find("above 4 psi"), std::string::npos);
+  EXPECT_EQ(all[9][0] + " " + all[9][1], "eardrum_rupture probe 2");
+  EXPECT_EQ(all[11][0] + " " + all[11][1], "peak_overpressure probe 2");
+  EXPECT_EQ(all[11][4].find("above 4 psi"), std::string::npos);
 }
