@@ -2,10 +2,13 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/coupling/scene/tissue_places.h>
+#include <contrecoup/geometry/body/mesh_body.h>
 #include <contrecoup/geometry/body/phantom.h>
+#include <contrecoup/geometry/mesh/hex_mesh.h>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -35,6 +38,27 @@ Tissue tissue_in_grid(const Body &body,
   return body.parts()[grid.at(cube[0], cube[1], cube[2])].tissue;
 }
 } // namespace
+
+// However a mesh is turned against the grid of samples.
+TEST(TissuePlaces, MassOfOwnHexahedraIsThatOfTheirVolumes)
+{
+  LabelGrid grid = make_grid({{{0., 0., 0.}, {0.2, 0.2, 0.3}}}, 0.1);
+  std::fill(grid.labels.begin(), grid.labels.end(), 0);
+  HexMesh mesh = make_hex_mesh(grid, {{"gelatin", Tissue::gelatin}});
+  const double expected =
+    1e3 * 1e-3 * static_cast<double>(mesh.cells.size()); // cubes of 0.1 m
+  for (const double angle : {0., 20., 45.})
+  {
+    HexMesh turned = mesh;
+    const double c = std::cos(angle * M_PI / 180.);
+    const double s = std::sin(angle * M_PI / 180.);
+    for (auto &x : turned.nodes)
+      x = {c * x[0] - s * x[1], s * x[0] + c * x[1], x[2]};
+    const double mass =
+      estimate_mass(MeshBody(turned), 0.04, [](const Tissue) { return 1e3; });
+    EXPECT_NEAR(mass, expected, 1e-9 * expected) << angle;
+  }
+}
 
 // Elements take the label of their centre; thin tissues are missed by shapes.
 TEST(TissuePlaces, LieInElementsOfTheirTissueWhateverTheirSize)

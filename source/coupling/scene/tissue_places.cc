@@ -2,6 +2,8 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/coupling/scene/tissue_places.h>
+#include <contrecoup/geometry/mesh/hex_mesh.h>
+#include <contrecoup/geometry/mesh/hex_quality.h>
 
 #include <algorithm>
 #include <cmath>
@@ -181,10 +183,22 @@ double estimate_mass(const Body &body,
                      const double spacing,
                      const std::function<double(Tissue)> &density)
 {
+  double mass = 0.;
+  // Samples of oblique hexahedra would depend on how these are turned.
+  if (const auto own = body.own_mesh())
+  {
+    for (std::size_t c = 0; c < own->cells.size(); ++c)
+    {
+      HexCorners corners;
+      for (unsigned int v = 0; v < 8; ++v)
+        corners[v] = own->nodes[own->cells[c][v]];
+      mass += density(own->parts[own->part[c]].tissue) * volume(corners);
+    }
+    return mass;
+  }
   LabelGrid grid = make_grid(body.surface()->bounding_box(), spacing);
   body.fill(grid);
   const auto &parts = body.parts();
-  double mass = 0.;
   for (std::size_t i = 0; i < parts.size(); ++i)
     if (const auto n = std::count(grid.labels.begin(),
                                   grid.labels.end(),

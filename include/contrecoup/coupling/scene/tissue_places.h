@@ -20,7 +20,8 @@ struct TissuePlace
   dealii::Point<3> place; ///< [m]
 };
 
-/// Mass of a body from samples of spacing @p spacing [m] [kg].
+/// Mass of a body [kg]: of its own hexahedra, else from samples of spacing
+/// @p spacing [m].
 /// @param density of a tissue [kg/m^3]
 double estimate_mass(const Body &body,
                      double spacing,
