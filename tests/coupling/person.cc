@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -77,6 +78,21 @@ TEST(Person, HasTheAzimuthOfTheChargeFromTheFrontToTheLeft)
   EXPECT_NEAR(turned.charge_azimuth(), 30., 1e-6);
   const Person above = person_by({}, Point<3>(2., 0., 0.9 + 2.));
   EXPECT_NEAR(above.charge_elevation(), 45., 1e-6);
+}
+
+
+// Whoever lies along the way to the charge has no angle to it.
+TEST(Person, SaysWhereTheChargeIs)
+{
+  for (const auto &[rotation, words] : std::map<std::string, std::string>{
+         {"0, 0, 0", "straight ahead of the person"},
+         {"0, 0, -30",
+          "before the person's front, 30 degrees to the left of where the "
+          "person faces"},
+         {"0, 90, 0", "beyond the person's head"},
+         {"0, -90, 0", "beyond the person's feet"}})
+    EXPECT_EQ(person_by({"Rotation=" + rotation}).charge_in_words(), words);
+  EXPECT_EQ(person_by({"Kind=shape"}).charge_in_words(), "");
 }
 
 

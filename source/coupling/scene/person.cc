@@ -179,4 +179,19 @@ std::string Person::side_to_charge() const
     return "back";
   return azimuth > 0. ? "left side" : "right side";
 }
+
+
+std::string Person::charge_in_words() const
+{
+  const std::string side = side_to_charge();
+  // An angle about the body's long axis says nothing along this axis.
+  if (side.empty() || side == "head" || side == "feet")
+    return side.empty() ? "" : "beyond the person's " + side;
+  const double azimuth = std::round(charge_azimuth());
+  if (azimuth == 0.)
+    return "straight ahead of the person";
+  return "before the person's " + side + ", " + brief(std::abs(azimuth)) +
+         " degrees to the " + (azimuth < 0. ? "right" : "left") +
+         " of where the person faces";
+}
 } // namespace contrecoup::coupling

@@ -162,16 +162,7 @@ void PlannedScene::print(const bool with_plan) const
             brief(1e3 * layout_->cell_size()) + " mm at the skin" +
             (parameters_.wants_injury() ? ", " + elements_in_words() : ""));
   if (person_->axes())
-  {
-    const double azimuth = std::round(person_->charge_azimuth());
-    log_line("  the charge is " +
-             (azimuth == 0.
-                ? "straight ahead of the person"
-                : "before the person's " + person_->side_to_charge() + ", " +
-                    brief(std::abs(azimuth)) + " degrees to the " +
-                    (azimuth < 0. ? "right" : "left") +
-                    " of where the person faces"));
-  }
+    log_line("  the charge is " + person_->charge_in_words());
   if (parameters_.cell_size > layout_->cell_size() * (1. + 1e-9))
     show_line("  Scene/Cell size = " + brief(parameters_.cell_size) +
               " m is an upper bound: cells are 160 mm over a power of two, " +

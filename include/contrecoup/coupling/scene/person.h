@@ -53,6 +53,10 @@ public:
   /// left side, back, right side, head, feet; empty without axes.
   std::string side_to_charge() const;
 
+  /// Where the charge is, seen by the person, as in "beyond the person's head";
+  /// "" of what is no person.
+  std::string charge_in_words() const;
+
   /// Direction of the charge from the person's front towards the left, about
   /// the person's own upright axis [degrees]; NaN without axes.
   double charge_azimuth() const;
