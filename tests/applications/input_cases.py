@@ -275,6 +275,11 @@ def refused_scenes():
                    entry("Charge/Height", "0.5")),
            "at Charge/Height = 0.5 m a charge is at least 4.876 "
            "m from the body; give that Distance, a Height from 5 to 6.756 m")
+    yield ("coarser run of the coarsest cells", "scene",
+           shipped(SCENE, end, entry("Scene/Error estimate", "true"),
+                   entry("Scene/Cell size", "0.16")),
+           "set Scene/Cell size to at most 0.08 m or Scene/Error estimate = "
+           "false")
     custom = entry("Charge/Explosive", "custom")
     yield ("explosive without a sound speed", "scene",
            shipped(SCENE, custom,

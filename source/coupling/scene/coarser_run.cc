@@ -42,9 +42,10 @@ std::vector<Assignment> CoarserRun::blast(const dealii::ParameterHandler &prm)
     return parse_override(path + "=" + value);
   };
   if (std::stoul(values.at("Rigid body/Levels")) == 0)
-    throw InputError("Scene/Error estimate: cells at the skin of Blast/Rigid "
-                     "body/Levels = 0 have no coarser ones; set at least 1 or "
-                     "Scene/Error estimate = false");
+    throw InputError("Scene/Error estimate: cells of the largest size at the "
+                     "skin (Blast/Rigid body/Levels = 0) have no coarser ones; "
+                     "set Scene/Cell size to at most 0.08 m or Scene/Error "
+                     "estimate = false");
   std::vector<Assignment> changes;
   for (const auto &[path, value] : values)
     if (is_level(path) && value != "0")

@@ -94,7 +94,7 @@ namespace io
       total.output += cost.output;
     }
     for (double CostEstimate::*figure :
-         {&CostEstimate::seconds, &CostEstimate::output})
+         {&CostEstimate::memory, &CostEstimate::seconds, &CostEstimate::output})
       for (const auto &[name, cost] : costs)
         if (!(cost.*figure > 0.))
           total.*figure = 0.;
