@@ -151,7 +151,6 @@ std::vector<ColumnRequest> parse_columns(const std::string &text)
 
 std::vector<Column> find_columns(const std::vector<ColumnRequest> &requests,
                                  const std::vector<const RunOutputs *> &runs,
-                                 const bool is_complete,
                                  const std::vector<std::string> &factors)
 {
   std::vector<Column> columns;
@@ -159,8 +158,7 @@ std::vector<Column> find_columns(const std::vector<ColumnRequest> &requests,
   for (const ColumnRequest &request : requests)
   {
     std::vector<std::string> found = matching(request, runs);
-    if (found.empty() && !runs.empty() &&
-        (is_complete || !request.may_be_missing))
+    if (found.empty() && !runs.empty() && !request.may_be_missing)
       refuse(request, runs);
     if (found.empty() && !request.is_pattern())
       found.push_back(request.address);

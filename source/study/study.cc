@@ -337,8 +337,11 @@ void Study::write_results(const std::string &status, const double seconds)
     if (known.count(task.identity) > 0)
       task.outcome = known[task.identity];
   write_outputs();
-  const StudyResult result =
-    evaluate(parameters_, variants, status == "finished");
+  const StudyResult result = evaluate(parameters_, variants);
+  if (status == "finished")
+    for (const std::string &title : result.empty_columns())
+      log_line("WARNING: Study/Columns: no run has a value of \"" + title +
+               "\"");
   if (status == "finished" && result.n_cut_off() > 0)
     log_line("WARNING: " + std::to_string(result.n_cut_off()) + " of " +
              std::to_string(result.rows.size()) +

@@ -49,7 +49,7 @@ namespace
                 "FILE.csv:FEATURE:COLUMN with first, last, largest, "
                 "smallest, peak, lowest, impulse or arrival. \"*\" stands "
                 "for any letters; \"ADDRESS as TITLE\" names a column; "
-                "\"ADDRESS if any\" may be missing in some runs."));
+                "\"ADDRESS if any\" may be missing in runs."));
     declare_selection(prm,
                       "Mode",
                       "work precision",

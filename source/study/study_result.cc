@@ -195,9 +195,7 @@ namespace
   }
 
   /// Finds the further columns and their values in all finished runs.
-  void read_columns(const StudyParameters &parameters,
-                    const bool is_complete,
-                    StudyResult &result)
+  void read_columns(const StudyParameters &parameters, StudyResult &result)
   {
     if (parameters.columns.empty())
       return;
@@ -214,8 +212,7 @@ namespace
     std::vector<std::string> factors;
     for (const Factor &factor : parameters.factors)
       factors.push_back(factor.name);
-    result.columns =
-      find_columns(parameters.columns, runs, is_complete, factors);
+    result.columns = find_columns(parameters.columns, runs, factors);
     for (ResultRow &row : result.rows)
       if (const auto found = outputs.find(&row); found != outputs.end())
       {
@@ -244,9 +241,19 @@ std::size_t StudyResult::n_cut_off() const
     }));
 }
 
+std::vector<std::string> StudyResult::empty_columns() const
+{
+  std::vector<std::string> titles;
+  for (std::size_t i = 0; i < columns.size(); ++i)
+    if (std::none_of(rows.begin(), rows.end(), [&](const ResultRow &row) {
+          return i < row.columns.size() && !std::isnan(row.columns[i]);
+        }))
+      titles.push_back(columns[i].title);
+  return titles;
+}
+
 StudyResult evaluate(const StudyParameters &parameters,
-                     const std::vector<Task> &tasks,
-                     const bool is_complete)
+                     const std::vector<Task> &tasks)
 {
   StudyResult result;
   for (const Task &task : tasks)
@@ -262,7 +269,7 @@ StudyResult evaluate(const StudyParameters &parameters,
     find_orders(i, result);
   }
   find_front(parameters.error.required_error(), result);
-  read_columns(parameters, is_complete, result);
+  read_columns(parameters, result);
   return result;
 }
 } // namespace contrecoup::study

@@ -442,6 +442,12 @@ class ReportTest(unittest.TestCase):
             scene.blast.found = lambda _, name: known.get(name)
             self.assertEqual("lower limits" in reflections.note(scene),
                              bool(known))
+            scene.facts["table_comparison"] = [
+                {"name": name, "unit": "Pa", "run": 2., "tables": 3.}
+                for name in ("peak_overpressure", "impulse")]
+            self.assertEqual(
+                [row[1].startswith("≥") for row in headline._compared(scene)],
+                [False, bool(known)])
 
     def test_load_in_the_air(self):
         """At a probe as far from the charge as the body, Bowen's definition

@@ -176,8 +176,7 @@ TEST_F(SceneFolder, FillsColumns)
   const auto columns = find_columns(
     parse_columns("blast/results.peak as peak; blast/loads.csv:arrival:*; "
                   "blast/results.none if any"),
-    {&outputs},
-    false);
+    {&outputs});
   std::vector<std::string> titles;
   for (const Column &column : columns)
     titles.push_back(title_with_unit(column));
@@ -192,7 +191,6 @@ TEST_F(SceneFolder, NamesNoColumnAsAFactor)
   const auto columns = find_columns(
     parse_columns("blast/results.peak; blast/loads.csv:arrival:chest"),
     {&outputs},
-    false,
     {"Peak", "arrival chest"});
   ASSERT_EQ(columns.size(), 2u);
   EXPECT_EQ(columns[0].title, "blast peak");
@@ -202,16 +200,14 @@ TEST_F(SceneFolder, NamesNoColumnAsAFactor)
 TEST_F(SceneFolder, RefusesColumnsThatNoRunHas)
 {
   const RunOutputs outputs(folder_.path());
-  const auto find = [&](const std::string &text, const bool is_complete) {
-    return refusal(
-      [&]() { find_columns(parse_columns(text), {&outputs}, is_complete); });
+  const auto find = [&](const std::string &text) {
+    return refusal([&]() { find_columns(parse_columns(text), {&outputs}); });
   };
   EXPECT_NE(
-    find("blast/results.peek", false).find("did you mean \"blast/results.peak"),
+    find("blast/results.peek").find("did you mean \"blast/results.peak"),
     std::string::npos);
-  EXPECT_NE(find("blast/resluts.*", false), "");
-  EXPECT_EQ(find("blast/results.peek if any", false), "");
-  EXPECT_NE(find("blast/results.peek if any", true), "");
+  EXPECT_NE(find("blast/resluts.*"), "");
+  EXPECT_EQ(find("blast/results.peek if any"), "");
 }
 
 TEST(Columns, RefusesWhatIsNoAddress)

@@ -156,7 +156,8 @@ def verdict_figure(loads, views, marks):
                 arrowprops={"arrowstyle": "-", "linewidth": 0.6,
                             "color": mark.colour})
     bar = figure.colorbar(plt.cm.ScalarMappable(norm, style.SEQUENTIAL),
-                          ax=axes, location="bottom", shrink=0.8, aspect=30)
+                          ax=axes, location="bottom", shrink=0.8, aspect=30,
+                          extend="both")
     bar.set_label(f"peak overpressure [{unit}]", fontsize=9)
     bar.outline.set_visible(False)
     return figure
@@ -194,7 +195,7 @@ def _draw_body(figure, axis, views, values, norm, colours, unit, limits,
         return
     bar = figure.colorbar(
         plt.cm.ScalarMappable(norm, colours),
-        cax=axis.inset_axes([1.02, 0.05, 0.025, 0.9]))
+        cax=axis.inset_axes([1.02, 0.05, 0.025, 0.9]), extend="both")
     bar.set_label(unit, fontsize=9)
     bar.ax.tick_params(labelsize=9)
     if limits is not None and limits[1] > limits[0]:

@@ -161,7 +161,7 @@ def _draw_peaks(found):
         axis.set_axis_off()
         axis.set_title(title, fontsize=9)
         figure.colorbar(axis.collections[0], ax=axis, shrink=0.7,
-                        label=unit or None)
+                        extend="both", label=unit or None)
     return figure
 
 

@@ -25,6 +25,8 @@ COMPARED = {"peak_overpressure": "peak overpressure",
             "lung_lethality": KNOWN["lung_lethality"][0],
             "eardrum_rupture": "rupture probability of an eardrum in the open"}
 LUNGS = ("lung_exposure", "lung_lethality")
+# What grows with the positive phase.
+OF_THE_PHASE = ("impulse", "duration", *LUNGS)
 CHANCES = ("lung_lethality", "eardrum_rupture")
 LARGE_BIAS = 0.1  # of the model, which may decide a verdict
 MOST_LINES = 3  # of what could change the verdict, in the text version
@@ -138,12 +140,15 @@ def _compared(scene):
     """Rows of this run beside the tables; of the tables alone where no probe is
     as far from the charge as the body."""
     rows, compared = [], scene.list_of("table_comparison")
+    is_cut = scene.blast.found("results", "probe_1_cut_off")
     for row in _rows(scene):
         name, unit = str(row.get("name")), row.get("unit") or "-"
         is_chance = name in CHANCES
         cells = [_with_error(row.get(key), unit, is_chance,
                              row.get(f"{key}_error"))
                  for key in (("run", "tables") if compared else ("tables",))]
+        if compared and is_cut and name in OF_THE_PHASE:
+            cells[0] = "≥ " + cells[0]
         wall = scene.table_answer(name)[1]
         if is_chance and wall is not None:
             cells[-1] += f" ({page.chance(wall)} before a wall)"

@@ -40,14 +40,12 @@ std::vector<ColumnRequest> parse_columns(const std::string &text);
 /**
  * The columns that the finished runs have.
  * @param runs outputs of the finished runs
- * @param is_complete whether no further run will follow
  * @param factors names that no column may have for a title of its own
- * @throws InputError, with the nearest address, for one that no run has; while
- * runs follow, those that may be missing are not asked for
+ * @throws InputError, with the nearest address, for one that no run has, unless
+ * it may be missing
  */
 std::vector<Column> find_columns(const std::vector<ColumnRequest> &requests,
                                  const std::vector<const RunOutputs *> &runs,
-                                 bool is_complete,
                                  const std::vector<std::string> &factors = {});
 
 /// Title with unit, "HIC15" or "lung load [Pa s]".

@@ -46,16 +46,16 @@ struct StudyResult
   std::size_t n_unfinished() const;
   /// Number of runs of which a column is a lower limit.
   std::size_t n_cut_off() const;
+  /// Titles of further columns that no run has.
+  std::vector<std::string> empty_columns() const;
 };
 
 /**
  * Reads the results of all runs, and computes errors, orders and Pareto front.
  * Skips tasks without outcome.
- * @param is_complete whether no further run will follow
  * @throws InputError when a finished run lacks the quantity of the error, and
- * for a further column that no run has
+ * for a further column that no run has, unless it may be missing
  */
 StudyResult evaluate(const StudyParameters &parameters,
-                     const std::vector<Task> &tasks,
-                     bool is_complete = true);
+                     const std::vector<Task> &tasks);
 } // namespace contrecoup::study

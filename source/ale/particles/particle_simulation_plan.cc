@@ -164,6 +164,17 @@ std::vector<Assumption> ParticleSimulation::audit()
                          energy_scale_});
   if (mesh_.head() != nullptr)
     items.push_back(layer_resolution());
+  // Beyond, accelerations of the head are those of a softer impact.
+  constexpr double largest_loss = 0.1;
+  items.push_back({"transfer_loss",
+                   "particles get back what the grid resolves",
+                   "kinetic energy that is lost between grid and particles, "
+                   "over the largest energy",
+                   "-",
+                   ledger().transfer_loss / std::max(energy_scale_, 1e-300),
+                   largest_loss,
+                   false,
+                   "MPM/Cell size"});
   return items;
 }
 } // namespace contrecoup::ale

@@ -73,7 +73,8 @@ namespace
         counted(pairs.size(), "pair") +
         " of triangles pass through each other, the first near " +
         coordinates(place) +
-        " m; what is around more than once counts as inside");
+        " m; what is around more than once counts as inside, and as often in "
+        "these litres");
     }
   }
 

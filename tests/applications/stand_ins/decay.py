@@ -195,7 +195,7 @@ def summarise(status, step, value, first):
     write_manifest(status)
     exact = math.exp(-step * float(entries["Step size"]))
     with open(os.path.join(output, "summary.json"), "w") as file:
-        json.dump({"application": "decay", "version": "1",
+        json.dump({"application": "decay", "format": 1, "version": "1",
                    "git_revision": "0", "status": status,
                    "time": step * float(entries["Step size"]),
                    "steps": step, "retries": 0, "ranks": 1, "unknowns": 10,
