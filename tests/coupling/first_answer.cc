@@ -73,8 +73,8 @@ TEST(FirstAnswer, HasTheWaveOfTheTablesAndWhatItDoes)
 TEST(FirstAnswer, TellsTheKnownBiasOfTheModel)
 {
   const auto has_bias = [](const std::vector<std::string> &lines) {
-    return lines.back().find("peak -5 %, impulse +8 % of these figures") !=
-           std::string::npos;
+    return lines.back().find("peak -5 %, impulse +8 %, duration +12 % of these "
+                             "figures") != std::string::npos;
   };
   EXPECT_TRUE(has_bias(answer_for(1.))) << answer_for(1.).back();
   EXPECT_FALSE(has_bias(answer_for(1., false)));

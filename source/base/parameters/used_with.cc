@@ -188,6 +188,12 @@ namespace
     words.push_back(assignment.entry);
     return join(words, "/");
   }
+
+  /// The part of the origin before the line: the file, or "--set".
+  std::string file_of(const Assignment &assignment)
+  {
+    return assignment.origin.substr(0, assignment.origin.rfind(", line"));
+  }
 } // namespace
 
 
@@ -225,22 +231,23 @@ std::vector<std::string> find_unused(const dealii::ParameterHandler &prm,
   const Tree tree = declared::tree_of(prm);
   std::vector<std::string> reasons;
   std::map<std::string, std::vector<std::string>> entries;
-  std::set<std::string> seen, overridden;
-  for (const Assignment &assignment : assignments)
-    if (assignment.origin == "--set")
-      overridden.insert(path_of(assignment));
-  const auto is_overridden = [&](const std::string &path) {
-    return overridden.count(path) > 0;
-  };
-  for (const Assignment &assignment : assignments)
+  std::map<std::string, std::size_t> last;
+  for (std::size_t i = 0; i < assignments.size(); ++i)
+    last[path_of(assignments[i])] = i;
+  for (std::size_t i = 0; i < assignments.size(); ++i)
   {
-    const std::string path = path_of(assignment);
-    if (!seen.insert(path).second)
+    const std::string path = path_of(assignments[i]);
+    if (last[path] != i)
       continue;
-    const auto [reason, choices] = why_unused(tree, assignment.sections, path);
+    const auto [reason, choices] =
+      why_unused(tree, assignments[i].sections, path);
+    const auto is_made_later = [&](const std::string &choice) {
+      const auto found = last.find(choice);
+      return found != last.end() && found->second > i &&
+             file_of(assignments[found->second]) != file_of(assignments[i]);
+    };
     if (reason.empty() ||
-        (!is_overridden(path) &&
-         std::any_of(choices.begin(), choices.end(), is_overridden)))
+        std::any_of(choices.begin(), choices.end(), is_made_later))
       continue;
     if (entries.count(reason) == 0)
       reasons.push_back(reason);

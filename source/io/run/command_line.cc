@@ -293,6 +293,9 @@ namespace io
   void warn_of_unused(const CommandLine &command,
                       const dealii::ParameterHandler &prm)
   {
+    // Entries that a program has set are in no file.
+    if (!std::filesystem::exists(command.parameter_file))
+      return;
     for (const std::string &line :
          find_unused(prm, assignments_of(command, prm)))
       show_line(line);
