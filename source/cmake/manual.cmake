@@ -18,6 +18,12 @@ endif()
 set(_manual ${PROJECT_SOURCE_DIR}/applications/manual)
 set(_output ${PROJECT_BINARY_DIR}/manual)
 set(_programs scene blast anatomy biomechanics head_impact study)
+# Entries are in the libraries, and a program is not linked again with these.
+set(_libraries "")
+foreach(_layer base materials numerics geometry io deal_ii gas solid mpm ale
+    coupling study)
+  list(APPEND _libraries $<TARGET_FILE:contrecoup_${_layer}>)
+endforeach()
 file(GLOB _templates CONFIGURE_DEPENDS ${_manual}/*)
 add_custom_command(
   OUTPUT ${_output}/made
@@ -27,7 +33,7 @@ add_custom_command(
     ${Python3_EXECUTABLE} ${_manual}/make_manual.py
     $<TARGET_FILE_DIR:scene> ${_output}
   COMMAND ${CMAKE_COMMAND} -E touch ${_output}/made
-  DEPENDS ${_programs} ${_templates} ${PROJECT_SOURCE_DIR}/CHANGELOG.md
+  DEPENDS ${_programs} ${_libraries} ${_templates} ${PROJECT_SOURCE_DIR}/CHANGELOG.md
   COMMENT "Manual" VERBATIM)
 add_custom_target(manual ALL DEPENDS ${_output}/made)
 
