@@ -143,3 +143,23 @@ TEST(Plan, NamesEstimateMeasurementAndEntry)
   EXPECT_NE(lines[1].find("7.5 m/s"), std::string::npos) << lines[1];
   EXPECT_NE(lines[2].find("A/B"), std::string::npos) << lines[2];
 }
+
+// The drawing of a report takes time and output; what trial runs alone know is
+// unknown of a stage without them, and so of all.
+TEST(Plan, SumsWhatIsKnownOfAllStages)
+{
+  CostEstimate mesh, blast, drawing;
+  mesh.memory = 2e8;
+  mesh.seconds = mesh.output = 1.;
+  blast.memory = 7e8;
+  blast.seconds = blast.output = 20.;
+  drawing.seconds = drawing.output = 12.;
+  const auto total =
+    total_of({{"anatomy", mesh}, {"blast", blast}, {"report", drawing}});
+  EXPECT_EQ(total.memory, 7e8);
+  EXPECT_EQ(total.seconds, 33.);
+  const auto unknown = total_of(
+    {{"anatomy", mesh}, {"blast", CostEstimate()}, {"report", drawing}});
+  EXPECT_EQ(unknown.memory, 0.);
+  EXPECT_EQ(unknown.seconds, 0.);
+}

@@ -93,8 +93,12 @@ namespace io
       total.seconds += cost.seconds;
       total.output += cost.output;
     }
+    // A stage of known time and no memory, the drawing, needs less than others.
+    for (const auto &[name, cost] : costs)
+      if (!(cost.memory > 0.) && !(cost.seconds > 0.))
+        total.memory = 0.;
     for (double CostEstimate::*figure :
-         {&CostEstimate::memory, &CostEstimate::seconds, &CostEstimate::output})
+         {&CostEstimate::seconds, &CostEstimate::output})
       for (const auto &[name, cost] : costs)
         if (!(cost.*figure > 0.))
           total.*figure = 0.;
