@@ -157,7 +157,7 @@ def verdict_figure(loads, views, marks):
                             "color": mark.colour})
     bar = figure.colorbar(plt.cm.ScalarMappable(norm, style.SEQUENTIAL),
                           ax=axes, location="bottom", shrink=0.8, aspect=30,
-                          extend="both")
+                          extend="max")
     bar.set_label(f"peak overpressure [{unit}]", fontsize=9)
     bar.outline.set_visible(False)
     return figure
