@@ -6,6 +6,7 @@
 #include <contrecoup/geometry/mesh/triangulation_hexes.h>
 #include <contrecoup/materials/solid_material.h>
 #include <contrecoup/materials/tissue_library.h>
+#include <contrecoup/solid/motion/solid_body.h>
 
 #include <deal.II/grid/grid_generator.h>
 
@@ -58,5 +59,17 @@ inline HexMesh half_brain(const bool refined)
     {0.06, 0.04, 0.04},
     [](const auto &x) { return x[2] > 0.02; },
     [&](const auto &x) { return refined && x[0] > 0.03 && x[1] > 0.01; });
+}
+
+/// That box, not refined, of the publication's tissues, held and loaded by
+/// nothing. Collective.
+inline void make_half_brain(solid::SolidBody<double> &body)
+{
+  body.reinit(half_brain(false),
+              materials_of("paper"),
+              {},
+              solid::Supports(),
+              solid::SurfaceLoads(),
+              MPI_COMM_WORLD);
 }
 } // namespace contrecoup

@@ -133,12 +133,7 @@ TEST(Cavitation, GoesOnFromACheckpoint)
 TEST(Cavitation, NothingIsRecordedOfMatterThatBearsTension)
 {
   solid::SolidBody<double> body;
-  body.reinit(half_brain(false),
-              materials_of("paper"),
-              {},
-              solid::Supports(),
-              solid::SurfaceLoads(),
-              MPI_COMM_WORLD);
+  make_half_brain(body);
   solid::CavityRecord<double> cavities;
   cavities.reinit(body);
   EXPECT_FALSE(cavities.active());

@@ -42,12 +42,7 @@ double value_of(const solid::SolidProbes &probes, const std::string &name)
 TEST(SolidProbes, AveragedPressureIsThatOfTheTissueAverage)
 {
   solid::SolidBody<double> body;
-  body.reinit(half_brain(false),
-              materials_of("paper"),
-              {},
-              solid::Supports(),
-              solid::SurfaceLoads(),
-              MPI_COMM_WORLD);
+  make_half_brain(body);
   for (std::size_t i = 0; i < body.mesh().nodes.size(); ++i)
   {
     const Point<3> &x = body.mesh().nodes[i];
@@ -107,12 +102,7 @@ TEST(SolidProbes, AveragedPressureIsThatOfTheTissueAverage)
 TEST(SolidProbes, ArrivalIsTheFirstCrossingInEitherDirection)
 {
   solid::SolidBody<double> body;
-  body.reinit(half_brain(false),
-              materials_of("paper"),
-              {},
-              solid::Supports(),
-              solid::SurfaceLoads(),
-              MPI_COMM_WORLD);
+  make_half_brain(body);
   dealii::ParameterHandler prm;
   solid::SolidProbes::declare_parameters(prm);
   std::vector<Assignment> assignments;

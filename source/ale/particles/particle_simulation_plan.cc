@@ -167,7 +167,7 @@ std::vector<Assumption> ParticleSimulation::audit()
   // Beyond, accelerations of the head are those of a softer impact.
   constexpr double largest_loss = 0.1;
   items.push_back({"transfer_loss",
-                   "particles get back what the grid resolves",
+                   "velocities go to the grid and back in each step",
                    "kinetic energy that is lost between grid and particles, "
                    "over the largest energy",
                    "-",

@@ -406,7 +406,7 @@ void StagedSimulation<dim>::finish(const std::string &folder)
     log_line(
       "WARNING: the run has ended in its first stage: fields, tables and "
       "files of the second one (reference, profiles, gauges, injuries, "
-      "maps, loads) are missing; a later Time/End time has them");
+      "maps, loads) are missing; a later Time/End time gives them");
 }
 
 

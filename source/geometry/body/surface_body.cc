@@ -73,8 +73,8 @@ namespace
         counted(pairs.size(), "pair") +
         " of triangles pass through each other, the first near " +
         coordinates(place) +
-        " m; what is around more than once counts as inside, and as often in "
-        "these litres");
+        " m; what is enclosed more than once is inside, and counts as often "
+        "in the volume");
     }
   }
 
