@@ -218,7 +218,8 @@ blast_refuses(body_galerkin "Method/Scheme = finite volume" FILE ${_cylinder}
 blast_refuses(body_subcells "Method/Subcells of 4 or more" FILE ${_cylinder}
   SET "Method/Subcells=2")
 blast_refuses(body_of_a_hair "Rigid body: no cell of the domain" FILE ${_cylinder}
-  SET "Body/Shape/Size=1e-6, 1" "Body/Shift=0.013, 0.017, 0" "Probes/Points=")
+  SET "Body/Shape/Size=1e-6, 1" "Body/Shift=0.013, 0.017, 0" "Probes/Points="
+  "Loads/Gauges=")
 blast_refuses(body_everywhere "Rigid body: it fills the whole domain"
   FILE ${_cylinder} SET "Body/Shape/Size=70, 1" "Probes/Points=")
 blast_refuses(loads_without_body "Loads/Record = true needs" FILE ${_sod}
