@@ -505,6 +505,26 @@ class ReportTest(unittest.TestCase):
         self.expect(self.text, "; brain: fluid may cavitate, HIC15 above the "
                     "limit of road traffic.")
 
+    def test_error_of_the_brain_belongs_to_its_measure(self):
+        """What the numerics leave uncertain is said of this measure alone."""
+        names = ("injury_intracranial_pressure_lowest", "injury_hic15")
+        for values, errors, words in (
+                ((-2e5, 500.), (0.84, 0.1),
+                 "fluid may cavitate (uncertain by the numerics), HIC15 above "
+                 "the limit of NATO AEP-55"),
+                ((-2e5, 260.), (0.1, 0.2),
+                 "fluid may cavitate, HIC15 above the limit of NATO AEP-55 "
+                 "(uncertain by the numerics)"),
+                ((-2e5, 240.), (0.1, 0.2), "fluid may cavitate (uncertain by "
+                 "the numerics: HIC15)"),
+                ((-1., 240.), (0.1, 0.2), "below all thresholds (uncertain by "
+                 "the numerics: HIC15)"),
+                ((-1., 1.), (None, None), "below all thresholds")):
+            judged = [injury_table.Judged(
+                name, value, "", injury_thresholds.KNOWN[name], error, "")
+                      for name, value, error in zip(names, values, errors)]
+            self.assertEqual(str(verdict._brain(judged)), "brain: " + words)
+
     def test_probabilities_are_bounded(self):
         """An error of the measure is carried through the curve, and may be as
         large as the measure."""

@@ -12,6 +12,7 @@ LIFE = ((0.01, "survives"), (0.5, "may die of lung injury"),
 EARS = ((0.05, "stay intact"), (0.5, "may rupture"),
         (0.95, "probably rupture"), (2., "almost certainly rupture"))
 NO_LEVEL = "none"
+UNSURE = "uncertain by the numerics"
 
 
 class Verdict:
@@ -197,12 +198,14 @@ def _brain(judged):
     if not entries:
         return None
     above = [entry for entry in entries if entry.exceeded()]
-    unsure = [entry for entry in entries if entry.is_certain() is False]
+    words = [_reached(entry) + (f" ({UNSURE})" if entry.is_certain() is False
+                                else "") for entry in above]
+    unsure = [entry.short_title() for entry in entries
+              if not entry.exceeded() and entry.is_certain() is False]
     return Verdict(
-        "brain", "brain: " + (", ".join(map(_reached, above))
-                              or "below all thresholds"),
+        "brain", "brain: " + (", ".join(words) or "below all thresholds"),
         "mid" if above else "good",
-        "uncertain by the numerics" if unsure else "",
+        f"{UNSURE}: {page.joined(unsure)}" if unsure else "",
         above[0] if above else entries[0])
 
 
