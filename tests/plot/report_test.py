@@ -486,6 +486,24 @@ class ReportTest(unittest.TestCase):
         self.assertEqual([tables.tissue_pressure(table, f"probe_{number}_")
                           for number in (1, 2)], [2., 3.])
 
+    def test_round_off_of_pressures(self):
+        """What round-off leaves before the wave is no pressure."""
+        folder = self.copy_without()
+        path = os.path.join(folder, "biomechanics", "probes.csv")
+        table = tables.Table(path)
+        pressures = [i for i, name in enumerate(table.names)
+                     if "pressure" in name]
+        table.values[:, pressures] = np.maximum(
+            table.values[:, pressures], -6.09e-20)
+        with open(path, encoding="utf-8") as file:
+            header = file.readline()
+        np.savetxt(path, table.values, delimiter=",", header=header.rstrip(),
+                   comments="")
+        words = text_of(Made(folder).page)
+        self.expect(words, "then; 0 Pa to ")
+        self.assertFalse("·10⁻²⁰" in words)
+        self.assertEqual(signals.extremes(np.array([-2e-6, 1.])), (-2e-6, 1.))
+
     def test_errors_of_gauges(self):
         """No error is below the median of its measure or two per cent, and
         what one of both runs lacks has none."""

@@ -5,6 +5,16 @@
 import numpy as np
 
 ARRIVED = 0.05  # of the largest absolute value
+ROUND_OFF = 1e-6  # of single precision, as a part of the largest absolute value
+
+
+def extremes(values):
+    """Least and largest value, 0 where the round-off of the larger one is
+    more."""
+    bounds = float(np.min(values)), float(np.max(values))
+    scale = max(map(abs, bounds))
+    return tuple(0. if abs(bound) < ROUND_OFF * scale else bound
+                 for bound in bounds)
 
 
 def onset(time, values, part=ARRIVED):

@@ -105,8 +105,8 @@ def _middle_plane(scene):
 def _span(panels):
     """Least and largest pressure of cuts, in words."""
     values = np.concatenate([found for _, _, found in panels])
-    return (f"from {page.quantity(float(values.min()), 'Pa', 2)} to "
-            f"{page.quantity(float(values.max()), 'Pa', 2)}")
+    return "from " + " to ".join(page.quantity(bound, "Pa", 2)
+                                 for bound in signals.extremes(values))
 
 
 def _tissues_at(pieces, place):
@@ -207,14 +207,13 @@ def histories(scene):
            "opposite side." if brain else ""), "svg")]
     rows = []
     for place in places:
-        pressure = place.pressure(probes)
+        lowest, highest = signals.extremes(place.pressure(probes))
         strain = probes[place.column + "principal_strain"]
         shift = np.sqrt(sum(probes[f"{place.column}displacement_{axis}"] ** 2
                             for axis in "xyz"))
         rows.append((
             place.title(), page.point([round(x, 3) + 0. for x in place.point]),
-            page.number(1e-3 * float(pressure.max())),
-            page.number(1e-3 * float(pressure.min())),
+            page.number(1e-3 * highest), page.number(1e-3 * lowest),
             page.number(1e-3 * float(
                 probes[place.column + "von_mises_stress"].max())),
             page.number(100. * float(strain.max())),

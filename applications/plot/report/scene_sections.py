@@ -315,8 +315,9 @@ def _tissue_events(scene):
         found.append(Event(
             "tissue", place.title(), begin, None, float(time[largest]),
             f"{page.quantity(float(values[largest]), 'Pa')} then; "
-            f"{page.quantity(float(values.min()), 'Pa')} to "
-            f"{page.quantity(float(values.max()), 'Pa')} over the whole run"))
+            + " to ".join(page.quantity(bound, "Pa")
+                          for bound in signals.extremes(values))
+            + " over the whole run"))
     return sorted(found, key=lambda event: event.begin)
 
 
