@@ -56,6 +56,26 @@ class InjuryMapsTest(unittest.TestCase):
         self.write(found)
         return blast_maps.take_maps(planes.open_planes(self.folder))
 
+    def test_limits_of_areas(self):
+        """By the coarser run; within the plane, and not below nothing."""
+        tiny_scene.write_all(self.folder)
+        self.write(fields(), os.path.join(self.folder, "blast"))
+        people = blast_sections.people
+
+        def told():
+            return "".join(map(str, people(Scene(self.folder))))
+        self.assertIn("error of these areas is unknown;", told())
+        coarser = fields()
+        coarser["eardrum_rupture"][0][:, 2] = 0.
+        coarser["lung_lethality"][0][:] = 0.
+        self.write(coarser, os.path.join(self.folder, "coarser_blast"))
+        self.assertIn("eardrums would rupture on 1.25 m² (by the numerics 0.45 "
+                      "to 2.0 m²)", told())
+        self.assertIn("people would die on 1.25 m² (by the numerics 0 to "
+                      "2.0 m²)", told())
+        self.assertIn("4 psi are exceeded on 1.25 m² (by the numerics 1.2 to "
+                      "1.3 m²)", told())
+
     def test_groups(self):
         """Injuries stand beside the maps of the blast, where there are any."""
         groups = self.maps(fields())
@@ -67,13 +87,14 @@ class InjuryMapsTest(unittest.TestCase):
             injury_maps.are_in(self.maps(plain)["gauges_plane_1"]))
 
     def test_area(self):
-        """Each gauge stands for the cell between it and the next ones."""
+        """Each gauge stands for what is nearer to it than to others."""
         maps = self.maps(fields())["gauges_plane_1"]
         self.assertAlmostEqual(
             injury_maps.area_above(maps, "eardrum_rupture", 0.5),
-            9 * 0.5 * 0.5)
+            2.5 * 0.5 * 1.)
         self.assertAlmostEqual(
-            injury_maps.area_above(maps, "chest_wall_velocity", 6.), 0.75)
+            injury_maps.area_above(maps, "chest_wall_velocity", 6.), 0.5)
+        self.assertAlmostEqual(injury_maps.area(maps), 2.)
 
     def test_area_unknown(self):
         """Neither where the blast has not arrived is anything known, nor of
@@ -83,9 +104,9 @@ class InjuryMapsTest(unittest.TestCase):
         found["eardrum_rupture"][0][:, 4] = np.nan
         maps = self.maps(found)["gauges_plane_1"]
         self.assertAlmostEqual(
-            injury_maps.area_unknown(maps, "eardrum_rupture"), 3 * 0.25)
+            injury_maps.area_unknown(maps, "eardrum_rupture"), 0.25)
         self.assertAlmostEqual(
-            injury_maps.area_unknown(maps, "lung_lethality"), 6 * 0.25)
+            injury_maps.area_unknown(maps, "lung_lethality"), 0.5)
 
     def drawn(self, found, own=None):
         style.set_up()
@@ -148,8 +169,8 @@ class InjuryMapsTest(unittest.TestCase):
         tiny_scene.write(os.path.join(self.folder, "blast", "parameters.prm"),
                          "subsection Loads\n  set Body mass = 125\nend\n")
         text = "".join(map(str, blast_sections.people(Scene(self.folder))))
-        self.assertIn("half of the eardrums would rupture on 2.25 m² (unknown "
-                      "on 0.750 m²)", text)
+        self.assertIn("half of the eardrums would rupture on 1.25 m² (unknown "
+                      "on 0.250 m²)", text)
         self.assertIn("9 August 2024", text)
         self.assertIn("Lungs of people of 125\u00a0kg by side-on", text)
         tiny_scene.write(
@@ -157,7 +178,7 @@ class InjuryMapsTest(unittest.TestCase):
             "subsection Injury\n  subsection Measure ear_rupture\n"
             "    set Thresholds = 0.3: too loud\n  end\nend\n")
         text = "".join(map(str, blast_sections.people(Scene(self.folder))))
-        self.assertIn("“too loud” by rupture of an eardrum on 2.25 m²", text)
+        self.assertIn("“too loud” by rupture of an eardrum on 1.25 m²", text)
         self.assertNotIn("half of the eardrums", text)
         self.assertIn("half of the people would die on", text)
         self.assertIn("thresholds of the user&#x27;s own for rupture", text)

@@ -42,7 +42,8 @@ def simple(maps):
 
 def area_above(maps, name, level):
     """Area of the plane [m^2] where a quantity exceeds a level, by the gauges
-    that do; in axisymmetric cells of the half plane."""
+    that do, each with the part of the plane that is nearest to it; in
+    axisymmetric cells of the half plane."""
     return _area_where(maps[name], np.nan_to_num(maps[name].values) > level)
 
 
@@ -51,10 +52,25 @@ def area_unknown(maps, name):
     return _area_where(maps[name], ~_known(maps, name))
 
 
+def area(maps):
+    """Area of the plane [m^2]."""
+    plane = next(iter(maps.values()))
+    return _area_where(plane, np.ones_like(plane.values))
+
+
 def _area_where(plane, chosen):
-    cell = np.prod([(high - low) / max(points - 1, 1) for low, high, points in
-                    zip(plane.lower, plane.upper, plane.values.shape[::-1])])
-    return float(cell * np.sum(chosen))
+    x, y = (_widths(low, high, points) for low, high, points in
+            zip(plane.lower, plane.upper, plane.values.shape[::-1]))
+    return float(y @ np.asarray(chosen, float) @ x)
+
+
+def _widths(low, high, points):
+    """Of what is nearest to each of the gauges, the first and last of which are
+    at the ends."""
+    widths = np.full(points, (high - low) / max(points - 1, 1))
+    if points > 1:
+        widths[[0, -1]] /= 2.
+    return widths
 
 
 def _known(maps, name):

@@ -170,16 +170,9 @@ class Scene:
                 if cuts[0].quantity == "pressure"}
 
     def gauge_planes(self):
-        """What the blast did in planes of gauges: for each plane, one Plane by
+        """What the blast did in planes of gauges: by plane, one Plane by
         quantity."""
-        with files.reading(self.blast.path("fields")):
-            found = planes.open_planes(self.blast.folder)
-        groups = {}
-        for name, cuts in sorted(found.items()):
-            if name.startswith("gauges_plane_"):
-                quantity = cuts[0].quantity
-                groups.setdefault(name[:-len(quantity)], {})[quantity] = cuts[0]
-        return list(groups.values())
+        return read_gauge_planes(self.blast)
 
     def field_list(self):
         """Times and files of what biomechanics wrote; [] without."""
@@ -236,9 +229,25 @@ class CoarserRun:
         """As Scene.air_injury()."""
         return read_gauge_injury(self.blast, "probe_injury.csv")
 
+    def gauge_planes(self):
+        """As Scene.gauge_planes()."""
+        return read_gauge_planes(self.blast)
+
     def measures(self):
         """As Scene.measures()."""
         return read_measures(self.biomechanics.path("injury.csv"))
+
+
+def read_gauge_planes(blast):
+    """One Plane by quantity, by name of the plane of gauges."""
+    with files.reading(blast.path("fields")):
+        found = planes.open_planes(blast.folder)
+    groups = {}
+    for name, cuts in sorted(found.items()):
+        if name.startswith("gauges_plane_"):
+            quantity = cuts[0].quantity
+            groups.setdefault(name[:-len(quantity)], {})[quantity] = cuts[0]
+    return groups
 
 
 def read_gauge_measures(blast):

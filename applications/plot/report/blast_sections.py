@@ -55,11 +55,15 @@ def people(scene):
     own = {name: known[measure].thresholds for name, (measure, *_)
            in PEOPLE.items() if known[measure].is_own}
     parts = []
-    for maps in filter(injury_maps.are_in, scene.gauge_planes()):
+    others = scene.coarser.gauge_planes() if scene.coarser else {}
+    for plane, maps in scene.gauge_planes().items():
+        if not injury_maps.are_in(maps):
+            continue
+        coarse = others.get(plane, {})
         words = []
         for name, (_, title, level, what) in PEOPLE.items():
             words += [(f"“{meaning}” by {title}" if meaning else what)
-                      + _area(maps, name, limit)
+                      + _area(scene, maps, coarse, name, limit)
                       for limit, meaning in own.get(name, [(level, "")])]
         drawn = page.drawn(injury_maps.draw, maps, own={
             name: dict(levels) for name, levels in own.items()})
@@ -70,7 +74,11 @@ def people(scene):
             "overpressure.",
             "What the blast would do to people who stand in a plane of gauges, "
             "as if nobody were there: " + "; ".join(words)
-            + " of it. Grey: the "
+            + " of it. "
+            + ("Limits by the numerics are from the coarser run, as those of "
+               "other figures" if coarse else "The numerical error of these "
+               "areas is unknown")
+            + "; far from the body cells are larger than at its skin. Grey: the "
             "blast has not arrived, the figure is not known, as within the "
             "charge, or, of lungs, the blast is not over or not simple; among "
             "the products of the explosive no curve was measured. Lungs"
@@ -86,11 +94,19 @@ def people(scene):
     return parts
 
 
-def _area(maps, name, level):
+def _area(scene, maps, coarse, name, level):
     """Where a quantity exceeds a level, in words."""
+    found = injury_maps.area_above(maps, name, level)
+    words = f" on {page.number(found)} m²"
+    if name in coarse:
+        low, high = error_estimate.of_area(
+            scene, found, injury_maps.area_above(coarse, name, level),
+            injury_maps.area(maps))
+        words += (f" (by the numerics {page.number(low, 2)} to "
+                  f"{page.number(high, 2)} m²)")
     unknown = injury_maps.area_unknown(maps, name)
-    return f" on {page.number(injury_maps.area_above(maps, name, level))} m²" + (
-        f" (unknown on {page.number(unknown)} m²)" if unknown > 0. else "")
+    return words + (f" (unknown on {page.number(unknown)} m²)"
+                    if unknown > 0. else "")
 
 
 def _mass_of_people(scene):

@@ -69,6 +69,13 @@ def of(scene, name, value, coarser):
     return max(LEAST, times * abs(coarser / value - 1.)), causes
 
 
+def of_area(scene, area, coarser, most):
+    """Lower and upper limit of an area, from that of the coarser run; no area
+    is larger than @p most."""
+    error = max(LEAST * area, factor(scene, "ear_")[0] * abs(coarser - area))
+    return max(area - error, 0.), min(area + error, most)
+
+
 def of_result(scene, name):
     """Relative error of a result of the blast, None if unknown."""
     if scene.coarser is None:
