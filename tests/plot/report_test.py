@@ -932,6 +932,17 @@ class ReportTest(unittest.TestCase):
         self.expect(alone, "is unknown: the scene has no coarser run",
                     "error unknown")
 
+    def test_errors_that_are_unknown(self):
+        """Each verdict counts, also one whose error is unknown beside others."""
+        def entry(name, certain):
+            return types.SimpleNamespace(
+                has_verdict=True, is_certain=lambda: certain,
+                short_title=lambda: name)
+        words = headline._verdicts(None, [
+            entry("ear", True), entry("lung", False), entry("chest", None)])
+        self.assertEqual(words, ["Numerical error could change one of two "
+                                 "verdicts: lung; it is unknown of chest."])
+
     def test_lungs_by_the_worse_measure(self):
         """A load above its threshold counts where the chest wall is slow; that
         on the skin, which is reflected, only without one in the open."""

@@ -300,8 +300,9 @@ def _tables(scene, judged):
 
 def _verdicts(scene, judged):
     """Which verdicts the numerical error could change."""
-    known = [entry for entry in judged if entry.has_verdict
-             and entry.is_certain() is not None]
+    having = [entry for entry in judged if entry.has_verdict]
+    known = [entry for entry in having if entry.is_certain() is not None]
+    unknown = [entry for entry in having if entry.is_certain() is None]
     if not known:
         return ["The numerical error of these verdicts is unknown: "
                 + ("your own hexahedra have no coarser mesh."
@@ -312,7 +313,10 @@ def _verdicts(scene, judged):
             + (page.count_in_words(len(open_ones)) if open_ones else "none")
             + f" of {page.counted(len(known), 'verdict')}"
             + (": " + page.joined(entry.short_title() for entry in open_ones)
-               if open_ones else "") + "."]
+               if open_ones else "")
+            + ("; it is unknown of "
+               + page.joined(entry.short_title() for entry in unknown)
+               if unknown else "") + "."]
 
 
 def _unused_thresholds(scene, judged):
