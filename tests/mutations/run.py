@@ -4,6 +4,8 @@ them:
 
   tests/mutations/run.py                 all faults of mutations.toml
   tests/mutations/run.py --only NAME     one of them; repeat for several
+  tests/mutations/run.py --from NAME     this one and all after it, to go on
+                                         with a run that was interrupted
   tests/mutations/run.py --check         whether the list fits the tree
 
 The faults go into a private copy of the tree with a build folder of its own;
@@ -18,6 +20,7 @@ could not be tried.
 import argparse
 import os
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -41,11 +44,12 @@ INTRODUCTION = """\
 
 Each row is a fault that was put into the code alone. "Caught by" are the tests
 that failed, of those that `mutations.toml` names for it; `survived` means that
-none did. Renew all rows, or one, by
+none did. Renew all rows, one, or those from one on after an interruption, by
 
 ```bash
 tests/mutations/run.py
 tests/mutations/run.py --only NAME
+tests/mutations/run.py --from NAME
 ```
 
 """
@@ -233,15 +237,43 @@ class Copy:
             found[name] = "late"
         return found
 
-    def forget_since(self, begin):
-        """Removes what was built since then."""
-        for here, _, files in os.walk(self.build):
-            for name in files:
-                path = os.path.join(here, name)
-                is_built = name.endswith((".o", ".a", ".so", ".gch")) or (
-                    "." not in name and os.access(path, os.X_OK))
-                if is_built and os.stat(path).st_mtime >= begin:
-                    os.remove(path)
+    def built(self):
+        """What ninja has built, and at last its own records of that."""
+        with open(os.path.join(self.build, ".ninja_log"),
+                  encoding="utf-8") as file:
+            names = {line.split("\t")[3] for line in file if "\t" in line}
+        for name in sorted(names) + [".ninja_deps", ".ninja_log"]:
+            path = os.path.join(self.build, name)
+            if os.path.isfile(path) and not os.path.islink(path):
+                yield path
+
+    def saved(self, path):
+        return os.path.join(self.build, "without_fault",
+                            os.path.relpath(path, self.build))
+
+    def save(self):
+        """Keeps what is built without a fault."""
+        for path in self.built():
+            copy_changed(path, self.saved(path))
+
+    def restore(self):
+        """Puts back what a fault has changed; ninja builds nothing again whose
+        times are those of its records."""
+        for path in self.built():
+            if os.path.exists(self.saved(path)):
+                copy_changed(self.saved(path), path)
+            else:
+                os.remove(path)
+
+
+def copy_changed(source, target):
+    """Copies a file with its time, unless the target has that time."""
+    if (os.path.exists(target)
+            and os.stat(target).st_mtime_ns == os.stat(source).st_mtime_ns):
+        return
+    os.makedirs(os.path.dirname(target), exist_ok=True)
+    shutil.copy2(source, target)
+
 
 
 def command(words, folder):
@@ -293,6 +325,7 @@ class Trial:
         if failed:
             raise Problem("these tests fail without any fault: "
                           + ", ".join(failed))
+        self.copy.save()
 
     def try_out(self, mutation):
         """Tests that caught a fault, none if it survived."""
@@ -300,7 +333,6 @@ class Trial:
         with open(path, encoding="utf-8") as file:
             before = file.read()
         times = os.stat(path)
-        begin = time.time()
         try:
             with open(path, "w", encoding="utf-8") as file:
                 file.write(before.replace(mutation.old, mutation.new))
@@ -309,7 +341,7 @@ class Trial:
             with open(path, "w", encoding="utf-8") as file:
                 file.write(before)
             os.utime(path, ns=(times.st_atime_ns, times.st_mtime_ns))
-            self.copy.forget_since(begin - 1.)
+            self.copy.restore()
 
 
 def read_results():
@@ -381,19 +413,25 @@ def try_all(mutations, chosen, copy, all_tests):
     return not_caught
 
 
-def choose(mutations, names):
-    known = {mutation.name: mutation for mutation in mutations}
-    for name in names:
-        if name not in known:
+def choose(mutations, only, first):
+    """Those of these names, or the first one and all after it."""
+    names = [mutation.name for mutation in mutations]
+    for name in [*only, first or names[0]]:
+        if name not in names:
             raise Problem(f"{name}: no fault has this name; --list shows all")
-    return [known[name] for name in names] if names else mutations
+    if only:
+        return [mutations[names.index(name)] for name in only]
+    return mutations[names.index(first) if first else 0:]
 
 
 def parse(arguments):
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
-    parser.add_argument("--only", action="append", default=[], metavar="NAME",
-                        help="try this fault alone; may be repeated")
+    which = parser.add_mutually_exclusive_group()
+    which.add_argument("--only", action="append", default=[], metavar="NAME",
+                       help="try this fault alone; may be repeated")
+    which.add_argument("--from", dest="first", metavar="NAME",
+                       help="go on with this fault: leave out those before it")
     parser.add_argument("--list", action="store_true",
                         help="show the faults and end")
     parser.add_argument("--check", action="store_true",
@@ -415,7 +453,7 @@ def main(arguments):
     options = parse(arguments)
     try:
         mutations = read_list()
-        chosen = choose(mutations, options.only)
+        chosen = choose(mutations, options.only, options.first)
         if options.list:
             for mutation in chosen:
                 print(f"{mutation.name}: {mutation.fault}\n  {mutation.file}, "
