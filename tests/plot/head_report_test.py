@@ -12,6 +12,7 @@ import re
 import shutil
 import sys
 import tempfile
+import types
 import unittest
 import unittest.mock
 
@@ -227,6 +228,18 @@ class CutTest(unittest.TestCase):
         polygons, owners = cuts.cut_hexahedra(self.CUBE[None], 0, 1.5,
                                               (1, 2))
         self.assertEqual((len(polygons), len(owners)), (0, 0))
+
+
+class WarningsTest(unittest.TestCase):
+    """What a run warned of stands on the first screen."""
+
+    def test_words(self):
+        silent, warned = (types.SimpleNamespace(summary=summary) for summary in
+                          ({}, {"warnings": ["layers: <2 cells"]}))
+        self.assertEqual(head_report.warnings({"": silent}), "")
+        words = str(head_report.warnings({"ALE": silent, "MPM": warned}))
+        self.assertIn("<h3>Warnings of the runs</h3>", words)
+        self.assertIn("MPM: layers: &lt;2 cells", words)
 
 
 class CrossingTest(unittest.TestCase):

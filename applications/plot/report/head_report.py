@@ -30,7 +30,7 @@ def build(run, folder):
     parts = page.Page("Impact of a head" if run.planes else "Motion of a head",
                       _subtitle(run))
     judged = judge(run)
-    parts.open_with(answer(run, judged))
+    parts.open_with(answer(run, judged), warnings({"": run}))
     parts.section("The head and its wall", *scene(run))
     parts.section("Cuts", *cuts(run, folder))
     if run.planes:
@@ -45,6 +45,20 @@ def build(run, folder):
         [accuracy.cost_row("head_impact", {}, run)]))
     parts.section("How to reproduce", *reproduce(run))
     return parts.render()
+
+
+def warnings(runs):
+    """What runs, by their names, have warned of; empty if nothing."""
+    told = [(f"{name}: " if name else "") + text for name, run in runs.items()
+            for text in run.summary.get("warnings") or []]
+    return page.tag("div", page.tag("h3", "Warnings of the run" + (
+        "s" if len(runs) > 1 else "")), page.bullets(told),
+        kind="doubts") if told else ""
+
+
+def _carriers(run):
+    """What has the values of a run."""
+    return "particles" if run.has_particles() else "cells"
 
 
 def _subtitle(run):
@@ -104,7 +118,9 @@ def answer(run, judged):
                 if rebound is None else
                 f"the head rebounds at {page.milliseconds(rebound)}")
             + (f" and has left the plane at {page.milliseconds(end)}."
-               if end is not None else "."))
+               if end is not None else
+               ", and touches the plane when the run ends."
+               if run.contact("contact_end") is not None else "."))
     else:
         text[0] += " moves; there is no plane."
     for layer, name in (("csf", "The CSF's pressure"),
@@ -131,8 +147,8 @@ def answer(run, judged):
     return page.tag(
         "div", page.paragraph(" ".join(text)), page.paragraph(
             f"The run ends after {page.milliseconds(end)}. Largest and least "
-            "values are those of single cells, of the rows of history.csv; the "
-            "error that the mesh makes has not been estimated."),
+            f"values are those of single {_carriers(run)}, of the rows of "
+            "history.csv; the error that the mesh makes has not been estimated."),
         kind="answer")
 
 
@@ -306,8 +322,8 @@ def histories(run, folder):
             folder, "pressures", head_figures.draw_pressures(run),
             "Curves of the largest and the least pressure over time in CSF "
             "and brain.",
-            "Largest and least pressure of all cells of CSF and brain over "
-            "time, from history.csv."))
+            f"Largest and least pressure of all {_carriers(run)} of CSF and "
+            "brain over time, from history.csv."))
     parts.append(figure(
         folder, "shear_strain", head_figures.draw_strains(run),
         "Curves over time of the largest shear strain of each solid layer, "
@@ -322,8 +338,8 @@ def histories(run, folder):
                            .replace("-", "−")) + " mm" for point in points]
     parts.append(figure(
         folder, "head_probes", head_figures.draw_probes(run, names),
-        f"Curves of pressure over time in {len(points)} cells.",
-        "Pressure in the cells that were nearest to these places at the "
+        f"Curves of pressure over time in {len(points)} {_carriers(run)}.",
+        f"Pressure in the {_carriers(run)} that were nearest to these places at the "
         "start, from probes.csv."))
     rows = []
     for number, name in enumerate(names):
@@ -442,7 +458,7 @@ def injury(run, judged):
         return [page.missing(
             "injury.csv: no solid region is what Injury/Brain or Injury/Skull "
             "name, or the run was not finished")]
-    told = (f"Of the brain's {'particles' if run.has_particles() else 'cells'} "
+    told = (f"Of the brain's {_carriers(run)} "
             "and the skull's mean motion, from injury.csv.")
     if run.mirrors:
         told += (f" What is computed, {_symmetry(run).rstrip(',')}, has the "

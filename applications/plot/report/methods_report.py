@@ -41,7 +41,8 @@ def build(pair, folder):
     rows = quantities(pair)
     parts = page.Page("One head, two methods: " + " and ".join(pair.names),
                       " · ".join(run.folder for run in pair.runs))
-    parts.open_with(answer(pair, rows))
+    parts.open_with(answer(pair, rows), head_report.warnings(
+        dict(zip(pair.names, pair.runs))))
     parts.section("Quantities", table(pair, rows))
     parts.section("Contact", *contact(pair, folder))
     parts.section("Pressures", *pressures(pair, folder))
