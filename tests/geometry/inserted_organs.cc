@@ -372,6 +372,44 @@ TEST(InsertedOrgans, BendTheLegsOfWhoSits)
 }
 
 
+// At angles from those of who stands to those of a cross.
+TEST(InsertedOrgans, PutPlacesOfArmsOnArmsThatAreApart)
+{
+  constexpr double far = 3., length = 0.62, radius = 0.045;
+  for (const double degrees : {25., 45., 90.})
+  {
+    const double angle = degrees * dealii::numbers::PI / 180.;
+    std::vector<ShapePointer> parts{
+      cut(donor().surface(), {-far, -0.17, 0.}, {far, 0.17, far})};
+    std::map<std::string, Point<3>> shoulders;
+    std::map<std::string, ShapePointer> arms;
+    for (const double side : {1., -1.})
+    {
+      const std::string name =
+        (side > 0. ? "left" : "right") + std::string(" upper arm");
+      const Point<3> shoulder(0., 0.17 * side, 1.38);
+      const dealii::Tensor<1, 3> along(
+        {0., side * std::sin(angle), -std::cos(angle)});
+      shoulders[name] = shoulder;
+      arms[name] =
+        std::make_shared<Cylinder>(shoulder, shoulder + length * along, radius);
+      parts.push_back(arms[name]);
+    }
+    const BodyPointer person = insert_organs(
+      filled(std::make_shared<Union>(parts)), donor(), allowing(0.1));
+    for (const Landmark &landmark : person->landmarks())
+      if (arms.count(landmark.name) > 0)
+      {
+        const double along = landmark.place.distance(shoulders[landmark.name]);
+        EXPECT_NEAR(arms[landmark.name]->value(landmark.place), 0., 0.002)
+          << landmark.name << " at " << landmark.place << ", " << degrees;
+        EXPECT_GT(along, radius) << degrees;
+        EXPECT_LT(along, 0.4 * length) << degrees;
+      }
+  }
+}
+
+
 TEST(OrganFit, MovesBonesIntoALimb)
 {
   // A bone beside the middle of its limb, and one as thick as that.

@@ -313,8 +313,8 @@ namespace
   }
 
 
-  /// The region at a place of the donor, or that of the nearest voxel to it.
-  Region region_at(const PersonRegions &regions, const Point<3> &place)
+  /// The region of the voxel that is nearest to a place of the donor.
+  Region nearest_region(const PersonRegions &regions, const Point<3> &place)
   {
     const LabelGrid &grid = regions.grid;
     double nearest = std::numeric_limits<double>::max();
@@ -332,6 +332,26 @@ namespace
             }
           }
     return region;
+  }
+
+
+  /// With which region a place on the skin of the donor goes. Voxels are those
+  /// of an arm below the armpit only; what is farther out goes with the arm up
+  /// to the shoulder. Thighs are a region of their own for who sits.
+  Region region_at(const PersonRegions &regions, const Point<3> &place)
+  {
+    for (const unsigned int side : {0, 1})
+    {
+      const double sign = side == 0 ? 1. : -1.;
+      if (regions.has_arm[side] &&
+          sign * (place[1] - regions.arm_root[side][1]) > 0.)
+        return side == 0 ? Region::left_arm : Region::right_arm;
+    }
+    const Region region = nearest_region(regions, place);
+    const bool is_thigh = place[2] > regions.knee();
+    return is_thigh && region == Region::left_leg    ? Region::left_thigh
+           : is_thigh && region == Region::right_leg ? Region::right_thigh
+                                                     : region;
   }
 } // namespace
 
@@ -385,11 +405,7 @@ BodyPointer insert_organs(const Body &recipient,
   std::vector<Landmark> landmarks = donor.landmarks();
   for (Landmark &landmark : landmarks)
   {
-    Region region = region_at(donor_regions, landmark.place);
-    if (landmark.place[2] > donor_regions.knee())
-      region = region == Region::left_leg    ? Region::left_thigh
-               : region == Region::right_leg ? Region::right_thigh
-                                             : region;
+    const Region region = region_at(donor_regions, landmark.place);
     landmark.place = skin->project(back.apply(
       warps[static_cast<unsigned int>(region)].apply(landmark.place)));
   }
