@@ -111,7 +111,7 @@ namespace
     throw InputError(
       "Study/Columns: no run has " +
       std::string(request.is_pattern() ? "an output like" : "the output") +
-      " \"" + request.address + "\"" + suggestion(request.address, known) +
+      " \"" + request.address + "\"" + suggest_address(request.address, known) +
       "; outputs.csv in the output folder lists what a run has");
   }
 

@@ -247,7 +247,22 @@ RunOutput RunOutputs::at(const std::string &address) const
   const auto found = values_.find(address);
   if (found == values_.end())
     throw InputError("the run has no output \"" + address + "\"" +
-                     suggestion(address, names_));
+                     suggest_address(address, names_));
   return found->second;
+}
+
+std::string suggest_address(const std::string &address,
+                            const std::vector<std::string> &known)
+{
+  std::vector<std::string> of_file;
+  const std::size_t colon = address.find(':');
+  if (colon != std::string::npos)
+    for (const std::string &other : known)
+      if (other.compare(0, colon + 1, address, 0, colon + 1) == 0)
+        of_file.push_back(other);
+  std::string best = nearest(address, of_file);
+  if (best.empty())
+    best = nearest(address, known);
+  return best.empty() ? "" : "; did you mean \"" + best + "\"?";
 }
 } // namespace contrecoup::study

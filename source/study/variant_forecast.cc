@@ -7,6 +7,7 @@
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/io/file/checked_file.h>
 #include <contrecoup/io/file/temporary_folder.h>
+#include <contrecoup/study/run_outputs.h>
 #include <contrecoup/study/variant_forecast.h>
 
 #include <fnmatch.h>
@@ -212,8 +213,8 @@ std::string suggest_output(const std::vector<std::string> &outputs,
     if (can_have({output}, candidate))
       candidates.push_back(candidate);
   }
-  const std::string best = nearest(address, candidates);
+  const std::string best = suggest_address(address, candidates);
   return best.empty() ? "; it has " + join(brief_patterns(outputs), ", ")
-                      : "; did you mean \"" + best + "\"?";
+                      : best;
 }
 } // namespace contrecoup::study

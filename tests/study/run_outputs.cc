@@ -253,6 +253,11 @@ TEST(VariantForecast, KnowsWhichOutputsArePossible)
             "; did you mean \"history.csv:peak:energy\"?");
   EXPECT_EQ(suggest_output(outputs, "measures.csv:left eye:peak"),
             "; did you mean \"measures.csv:left ear:peak\"?");
+  // Any column of history.csv may be there, and its pattern takes all words.
+  EXPECT_EQ(suggest_output(
+              {"history.csv:arrival:*", "probes.csv:arrival:probe_1_pressure"},
+              "probes.csv:arrival:pressure_1"),
+            "; did you mean \"probes.csv:arrival:probe_1_pressure\"?");
   EXPECT_EQ(suggest_output(outputs, "something quite different"),
             "; it has results.*, gauges.csv:*, blast/results.*, history.csv:*, "
             "measures.csv:*");

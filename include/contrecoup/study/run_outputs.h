@@ -71,4 +71,9 @@ struct OutputAddress
 
 /// @throws InputError, naming @p where, for a text that is no address
 OutputAddress parse_address(const std::string &text, const std::string &where);
+
+/// Suggestion for an unknown address, the nearest of @p known in the file that
+/// it names, else of all: "; did you mean ...?". Empty if none is near.
+std::string suggest_address(const std::string &address,
+                            const std::vector<std::string> &known);
 } // namespace contrecoup::study
