@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+
 using namespace contrecoup;
 
 namespace
@@ -123,6 +125,28 @@ TEST(UsedWith, IsSilentWhereAnOverrideChose)
             Lines{"WARNING: Body/Surface/Scale is set but not used: Body/Kind "
                   "is phantom, not surface"});
   EXPECT_EQ(unused_of({"Body/Surface/Scale=2"}, {"Levels=1"}),
+            Lines{"WARNING: Body/Surface/Scale is set but not used: Body/Kind "
+                  "is phantom, not surface"});
+}
+
+// A preset has entries for choices of those that include it.
+TEST(UsedWith, IsSilentAboutIncludedFiles)
+{
+  std::ofstream("preset.prm") << "subsection Body\n subsection Surface\n"
+                                 "  set Scale = 2\n end\nend\n";
+  const auto warnings = [](const std::string &own) {
+    std::ofstream("with_preset.prm") << own;
+    ParameterHandler prm;
+    declare_all(prm);
+    const auto assignments = read_assignments("with_preset.prm");
+    apply_assignments(assignments, prm);
+    return find_unused(prm, assignments);
+  };
+  EXPECT_EQ(warnings("include preset.prm\n"), Lines{});
+  EXPECT_EQ(warnings("include preset.prm\nset Corner = 2\n"),
+            Lines{"WARNING: Corner is set but not used: Levels is 0"});
+  EXPECT_EQ(warnings("include preset.prm\nsubsection Body\n subsection "
+                     "Surface\n  set Scale = 3\n end\nend\n"),
             Lines{"WARNING: Body/Surface/Scale is set but not used: Body/Kind "
                   "is phantom, not surface"});
 }

@@ -45,13 +45,14 @@ namespace
   void FileReader::read(const std::string &file)
   {
     std::istringstream input(read_text("the parameter file", file, most_bytes));
+    const std::string included = files_.empty() ? "" : ", included";
     const std::size_t depth = sections_.size();
     files_.push_back(file);
     unsigned int number = 0;
     for (std::string line; std::getline(input, line);)
     {
       const std::string where =
-        "\"" + file + "\", line " + std::to_string(++number);
+        "\"" + file + "\", line " + std::to_string(++number) + included;
       line = trim(line.substr(0, line.find('#')));
       while (!line.empty() && line.back() == '\\')
       {

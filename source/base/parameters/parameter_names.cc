@@ -163,7 +163,8 @@ find_oversights(const std::string &file,
     is_empty = false;
     std::vector<std::string> path = assignment.sections;
     path.push_back(assignment.entry);
-    const std::string line = assignment.origin.substr(end + mark.size());
+    const std::string place = assignment.origin.substr(end + mark.size());
+    const std::string line = place.substr(0, place.find(','));
     std::string &earlier =
       before[assignment.origin.substr(0, end) + mark + join(path, "/")];
     if (!earlier.empty())

@@ -5,6 +5,7 @@
 #include <contrecoup/base/parameters/used_with.h>
 #include <contrecoup/base/system/text.h>
 
+#include <boost/algorithm/string/predicate.hpp>
 #include <boost/algorithm/string/replace.hpp>
 #include <nlohmann/json.hpp>
 
@@ -189,10 +190,9 @@ namespace
     return join(words, "/");
   }
 
-  /// The part of the origin before the line: the file, or "--set".
-  std::string file_of(const Assignment &assignment)
+  bool is_included(const Assignment &assignment)
   {
-    return assignment.origin.substr(0, assignment.origin.rfind(", line"));
+    return boost::algorithm::ends_with(assignment.origin, ", included");
   }
 } // namespace
 
@@ -237,17 +237,18 @@ std::vector<std::string> find_unused(const dealii::ParameterHandler &prm,
   for (std::size_t i = 0; i < assignments.size(); ++i)
   {
     const std::string path = path_of(assignments[i]);
-    if (last[path] != i)
+    if (last[path] != i || is_included(assignments[i]))
       continue;
     const auto [reason, choices] =
       why_unused(tree, assignments[i].sections, path);
-    const auto is_made_later = [&](const std::string &choice) {
+    const auto is_overridden = [&](const std::string &choice) {
       const auto found = last.find(choice);
-      return found != last.end() && found->second > i &&
-             file_of(assignments[found->second]) != file_of(assignments[i]);
+      return found != last.end() &&
+             assignments[found->second].origin == "--set";
     };
     if (reason.empty() ||
-        std::any_of(choices.begin(), choices.end(), is_made_later))
+        (assignments[i].origin != "--set" &&
+         std::any_of(choices.begin(), choices.end(), is_overridden)))
       continue;
     if (entries.count(reason) == 0)
       reasons.push_back(reason);
