@@ -96,7 +96,7 @@ protected:
     return path;
   }
 
-  static BodyPointer create(const std::vector<std::string> &lines)
+  static BodyDescription describe(const std::vector<std::string> &lines)
   {
     dealii::ParameterHandler prm;
     BodyDescription::declare_parameters(prm);
@@ -106,7 +106,12 @@ protected:
     apply_assignments(assignments, prm);
     BodyDescription description;
     description.parse_parameters(prm);
-    return description.create();
+    return description;
+  }
+
+  static BodyPointer create(const std::vector<std::string> &lines)
+  {
+    return describe(lines).create();
   }
 
   static std::string refusal(const std::vector<std::string> &lines)
@@ -458,4 +463,21 @@ TEST_F(Images, HeadsHaveTheirLayersByTheRules)
                        write("a.nii", make_nifti(small, small_labels))})
               .find("do not have the same voxels"),
             std::string::npos);
+}
+
+
+TEST_F(Images, VolumesOfVoxelsAreWhatOrgansShouldHave)
+{
+  const auto references =
+    describe({"Image/File=" + write("a.nii", make_nifti(small, small_labels)),
+              "Image/Labels=1: hard = skeleton; 2: brain; 3: hard = lung",
+              "Scale=2",
+              "Rotation=10, 20, 30"})
+      .references();
+  ASSERT_EQ(references.size(), 2u);
+  constexpr double voxel = 8. * 24e-9;
+  EXPECT_EQ(references[0].name, "brain");
+  EXPECT_NEAR(references[0].volume, 3. * voxel, 1e-15);
+  EXPECT_EQ(references[1].name, "hard");
+  EXPECT_NEAR(references[1].volume, 7. * voxel, 1e-15);
 }

@@ -134,6 +134,10 @@ class ReportTest(unittest.TestCase):
         self.assertEqual(self.page.count("<figure"),
                          self.page.count("<figcaption>"))
 
+    def test_volumes_of_organs(self):
+        self.expect(self.text, "brain 1.44 1.60 \u22129.8 % the image",
+                    "Volumes of organs in the mesh")
+
     def test_needs_nothing_else(self):
         for word in ("<script", "<link", "url(", "@import", "<iframe"):
             self.assertFalse(word in self.page, word)

@@ -333,6 +333,10 @@ def write_anatomy(folder):
           "smallest scaled Jacobian,mean scaled Jacobian,shortest edge [m],"
           "longest edge [m],time step [s],connected components\n"
           "tissue,brain,brain,1444,0.001444,1.5,1,1,0.01,0.01,3.9e-06,1\n")
+    write(os.path.join(folder, "summary.json"), json.dumps({
+        "application": "anatomy", "format": 1, "organs": [
+            {"name": "brain", "volume": 0.001444, "reference_volume": 0.0016,
+             "source": "the image"}]}))
 
 
 def write_all(folder):

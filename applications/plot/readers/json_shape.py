@@ -55,6 +55,8 @@ SUMMARY = {
     "performance": {"*": NUMBER}, "conservation": {"*": NUMBER},
     "errors": {"*": NUMBER}, "results": {"*": _VALUE},
     "checks": {"*": _VALUE}, "assumptions": {"*": _ASSUMPTION},
+    "organs": [{"name": WORDS, "volume": NUMBER, "reference_volume": NUMBER,
+                "source": WORDS}],
     "warnings": [WORDS]}
 
 

@@ -369,7 +369,27 @@ def mesh(scene):
         "Largest time step: the stability limit of the tissue alone. Pieces: "
         "parts that share no faces of elements; a thin layer has many where "
         "elements are too large for it.", numbers=range(1, 7)))
-    return parts
+    return parts + organ_volumes(scene)
+
+
+def organ_volumes(scene):
+    """A table of organs' volumes in elements beside those that they should
+    have, in a list; empty without such."""
+    rows = []
+    for organ in scene.anatomy.summary.get("organs") or []:
+        volume, wanted = organ.get("volume"), organ.get("reference_volume")
+        if volume is not None and wanted:
+            rows.append((organ.get("name", ""), page.number(1e3 * volume),
+                         page.number(1e3 * wanted),
+                         page.percent(volume / wanted - 1.),
+                         organ.get("source", "")))
+    if not rows:
+        return []
+    return [page.table(
+        ("organ", "elements [litre]", "reference [litre]", "difference",
+         "reference"), rows,
+        "Volumes of organs in the mesh, and those that they should have. "
+        "Smaller elements bring them closer.", numbers=range(1, 4))]
 
 
 def largest_displacement(scene):

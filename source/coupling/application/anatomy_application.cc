@@ -107,6 +107,9 @@ namespace coupling
                    " nodes were held back for the shape of elements");
         for (const std::string &line : to_lines(report))
           log_line(line);
+        if (const std::string line = organ_warning(report.checks);
+            !line.empty())
+          log_line(line);
         warn_of_pieces(report);
         write(report);
         claim.set_status("finished");
@@ -309,6 +312,18 @@ namespace coupling
         Log::instance().check();
       }
 
+      /// Volumes of organs beside those that they should have [m^3].
+      static Json organs_of(const BodyReport &report)
+      {
+        Json organs = Json::array();
+        for (const OrganCheck &check : report.checks)
+          organs.push_back({{"name", check.reference.name},
+                            {"volume", check.volume},
+                            {"reference_volume", check.reference.volume},
+                            {"source", check.reference.source}});
+        return organs;
+      }
+
       void write_summary(const BodyReport &report) const
       {
         const ReportRow &body = report.body();
@@ -321,7 +336,7 @@ namespace coupling
           errors[name + "_volume"] = check.difference();
           n_held += check.holds() ? 1 : 0;
         }
-        if (!report.checks.empty())
+        if (parameters_.body.kind() == "phantom" && !report.checks.empty())
           errors["mass"] = body.mass / parameters_.body.reference_mass() - 1.;
         Json summary = {
           {"application", "anatomy"},
@@ -354,6 +369,7 @@ namespace coupling
           {"performance",
            {{"wall_seconds", seconds()},
             {"peak_memory_bytes", peak_memory(MPI_COMM_SELF)}}}};
+        summary["organs"] = organs_of(report);
         const auto fit = organ_fit_figures(*body_);
         if (!fit.empty())
           summary["organ_fit"] = fit;

@@ -109,13 +109,6 @@ namespace coupling
       report.center_of_gravity /= body.mass;
     }
 
-    bool belongs_to(const OrganReference &reference, const std::string &part)
-    {
-      const auto &parts = reference.parts;
-      return parts.empty() ||
-             std::find(parts.begin(), parts.end(), part) != parts.end();
-    }
-
     std::string fixed(const double value, const int width, const int digits)
     {
       std::ostringstream out;
@@ -148,14 +141,7 @@ namespace coupling
     for (const HexMesh::Facet &facet : mesh.boundary)
       report.surface_area +=
         mesh.area_vector(facet) * surface.normal(mesh.center(facet));
-    for (const OrganReference &reference : references)
-    {
-      OrganCheck check{reference, 0.};
-      for (const ReportRow &row : report.rows)
-        if (row.kind == "part" && belongs_to(reference, row.name))
-          check.volume += row.quality.volume;
-      report.checks.push_back(check);
-    }
+    report.checks = check_organs(mesh, references);
     return report;
   }
 
@@ -204,9 +190,9 @@ namespace coupling
     for (const OrganCheck &check : report.checks)
       lines.push_back(
         padded(check.reference.name, 12) + fixed(1e3 * check.volume, 8, 3) +
-        " litre, " + fixed(1e3 * check.reference.volume, 7, 3) +
-        " in the literature (" + check.reference.source +
-        "): " + fixed(100. * check.difference(), 5, 1) + " %" +
+        " litre, " + fixed(1e3 * check.reference.volume, 7, 3) + " in " +
+        check.reference.source + ": " + fixed(100. * check.difference(), 5, 1) +
+        " %" +
         (check.holds()
            ? ""
            : ", more than the " + brief(100. * check.reference.tolerance, 2) +

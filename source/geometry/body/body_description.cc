@@ -10,6 +10,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <sstream>
 
 namespace contrecoup
@@ -46,6 +47,20 @@ namespace
         names.push_back(words);
     }
     return names;
+  }
+
+  /// Volumes of the voxels of an image, of parts of the same name together.
+  std::vector<OrganReference> references_of(const Body &body)
+  {
+    const auto volumes = dynamic_cast<const ImageBody &>(body).part_volumes();
+    std::map<std::string, double> sums;
+    for (std::size_t i = 0; i < volumes.size(); ++i)
+      sums[body.parts()[i].name] += volumes[i];
+    std::vector<OrganReference> references;
+    for (const auto &[name, volume] : sums)
+      if (volume > 0.)
+        references.push_back({name, {name}, volume, 0.1, "the image"});
+    return references;
   }
 } // namespace
 
@@ -192,6 +207,8 @@ BodyPointer BodyDescription::create() const
 
 std::vector<OrganReference> BodyDescription::references() const
 {
+  if (kind_ == "image")
+    return references_of(*create());
   if (kind_ == "phantom" && placement_.scale() == 1.)
     return phantom_.references();
   return {};

@@ -12,6 +12,7 @@
 #include <contrecoup/geometry/shape/grid_distance.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace contrecoup
@@ -204,6 +205,18 @@ void ImageBody::fill(LabelGrid &grid) const
     for (unsigned int j = 0; j < grid.size[1]; ++j)
       for (unsigned int i = 0; i < grid.size[0]; ++i)
         grid.labels[grid.index(i, j, k)] = part_at(grid.center(i, j, k));
+}
+
+std::vector<double> ImageBody::part_volumes() const
+{
+  double voxel = 1. / std::abs(determinant(to_index_));
+  for (const Placement &placement : placements_)
+    voxel *= std::pow(placement.scale(), 3);
+  std::vector<double> volumes(parts_.size(), 0.);
+  for (const unsigned char label : *labels_)
+    if (label != LabelGrid::outside)
+      volumes[label] += voxel;
+  return volumes;
 }
 
 

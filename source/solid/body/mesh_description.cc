@@ -182,6 +182,10 @@ HexMesh MeshDescription::from_body() const
   HexMesh mesh = make_hex_mesh(grid, body->parts(), levels_);
   if (smoothing_.iterations > 0)
     smooth(mesh, smoothing_);
+  if (const std::string line =
+        organ_warning(check_organs(mesh, body_.references()));
+      !line.empty())
+    log_line(line);
   return mesh;
 }
 

@@ -4,7 +4,7 @@
 #pragma once
 
 #include <contrecoup/geometry/body/body.h>
-#include <contrecoup/geometry/body/phantom.h>
+#include <contrecoup/geometry/body/organ_check.h>
 #include <contrecoup/geometry/mesh/hex_quality.h>
 #include <contrecoup/materials/own_tissues.h>
 
@@ -26,22 +26,6 @@ namespace coupling
     double mass = 0.;            ///< [kg]
     double time_step = 0.;       ///< [s]
     unsigned int components = 0; ///< face-connected components
-  };
-
-  /// Volume of an organ in the literature and in the mesh.
-  struct OrganCheck
-  {
-    OrganReference reference;
-    double volume = 0.; ///< volume in the mesh [m^3]
-
-    double difference() const
-    {
-      return volume / reference.volume - 1.;
-    }
-    bool holds() const
-    {
-      return std::abs(difference()) <= reference.tolerance;
-    }
   };
 
   /// Quality report of a mesh.

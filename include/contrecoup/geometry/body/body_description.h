@@ -37,7 +37,8 @@ public:
   /// repeated calls are fast. @throws InputError when a file cannot be used
   BodyPointer create() const;
 
-  /// Reference organ data from the literature; only for an unscaled phantom.
+  /// Volumes that organs should have: those of the voxels of an image, or from
+  /// the literature for an unscaled phantom; else empty.
   std::vector<OrganReference> references() const;
 
   /// Prescribed mass of the phantom [kg].

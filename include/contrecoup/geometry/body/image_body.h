@@ -50,6 +50,9 @@ public:
   unsigned char part_at(const dealii::Point<3> &point) const override;
   void fill(LabelGrid &grid) const override;
 
+  /// Volume of the voxels of each part [m^3].
+  std::vector<double> part_volumes() const;
+
 private:
   std::array<unsigned int, 3> size_;
   dealii::Tensor<2, 3> to_index_; ///< inverse of the axes [1/m]

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <contrecoup/geometry/body/body.h>
+#include <contrecoup/geometry/body/organ_check.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -12,16 +13,6 @@
 
 namespace contrecoup
 {
-/// Literature data on an organ or a group of organs.
-struct OrganReference
-{
-  std::string name;
-  std::vector<std::string> parts; ///< parts that belong to it; empty: all
-  double volume;                  ///< [m^3]
-  double tolerance;               ///< accepted relative difference
-  std::string source;
-};
-
 /**
  * A standing man of smooth shapes: x forward, y to his left, z up; the soles
  * are at z = 0, the origin is between the feet. The arms hang a hand's breadth
