@@ -351,6 +351,15 @@ def accepted():
     yield ("late ignition", "blast",
            shipped(BURN, entry("Charges/Charge 1/Ignition times", "1")),
            "WARNING: Charges/Charge 1 burns from 1 s to")
+    yield ("tables of another charge", "blast",
+           shipped("blast/quickstart.prm", entry("Charges/Charge 1/Mass", "2")),
+           "WARNING: Reference/Kingery Bulmash/Mass = 0.8535, but "
+           "Charges/Charge 1 has 2 kg")
+    yield ("tables of a charge elsewhere", "blast",
+           shipped("blast/quickstart.prm",
+                   entry("Reference/Kingery Bulmash/Center", "0, 0, 1")),
+           "WARNING: Reference/Kingery Bulmash/Center = 0, 0, 1, but "
+           "Charges/Charge 1 has its centre at 0, 0, 1.2 m")
     yield ("late size limit", "blast",
            shipped(SPHERE, entry("Adaptation/Limit a/From time", "2")),
            "s: the limit never holds")

@@ -7,6 +7,7 @@
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/base/system/timers.h>
 #include <contrecoup/coupling/first_stage/staged_simulation.h>
+#include <contrecoup/gas/scene/scene_places.h>
 #include <contrecoup/gas/state/leaf_sampling.h>
 #include <contrecoup/io/file/checked_file.h>
 
@@ -76,8 +77,16 @@ void StagedSimulation<dim>::parse_parameters(ParameterHandler &prm)
     const Section section(prm, "Rigid body");
     is_trial = !prm.get_bool("Required");
   }
-  if (!is_trial)
-    check_hand_over_order();
+  if (is_trial)
+    return;
+  check_hand_over_order();
+  // The scene's gas has no charges of its own any more.
+  GasMaterial material;
+  material.parse_parameters(prm);
+  CoarseMesh<dim> mesh;
+  mesh.parse_parameters(prm);
+  for (const std::string &line : gas::remarks_on_reference(prm, material, mesh))
+    log_line(line);
 }
 
 

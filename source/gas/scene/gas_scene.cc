@@ -55,11 +55,18 @@ void GasScene<dim>::parse_parameters(ParameterHandler &prm)
     if (material.has_products())
       material_words += ", " + prm.get("Explosive");
   }
-  const Section section(prm, "Time");
-  end_time = read_double(prm, "End time");
-  if (body.is_required())
-    for (const std::string &line : charges.late_burns(end_time))
-      log_line(line);
+  {
+    const Section section(prm, "Time");
+    end_time = read_double(prm, "End time");
+  }
+  if (!body.is_required())
+    return;
+  std::vector<std::string> remarks = charges.late_burns(end_time);
+  for (const std::string &line :
+       remarks_on_reference(prm, material, coarse_mesh))
+    remarks.push_back(line);
+  for (const std::string &line : remarks)
+    log_line(line);
 }
 
 
