@@ -81,8 +81,9 @@ void read_results(const std::string &path)
   const RoundedBox body(
     dealii::Point<3>(0., 0., 0.88), dealii::Point<3>(0.15, 0.25, 0.88), 0.05);
   static const coupling::SceneLayout layout(scene, body);
+  static const auto plan = coupling::scene_plan(scene, layout, {}, 70., true);
   coupling::scene_audit(
-    scene, layout, true, std::filesystem::path(folder_of(path)).parent_path());
+    scene, layout, plan, std::filesystem::path(folder_of(path)).parent_path());
 }
 } // namespace
 

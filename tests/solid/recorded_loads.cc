@@ -28,13 +28,16 @@ void write_loads(const std::string &file)
 }
 
 std::shared_ptr<solid::RecordedLoads> read_loads(const std::string &file,
-                                                 const double interval = 0.)
+                                                 const double interval = 0.,
+                                                 const std::string &most = "")
 {
   ParameterHandler prm;
   solid::RecordedLoads::declare_parameters(prm);
   prm.set("File", file);
   prm.set("Largest distance", 0.4);
   prm.set("Averaging interval", interval);
+  if (!most.empty())
+    prm.set("Largest correction", most);
   return solid::RecordedLoads::parse_parameters(prm);
 }
 
@@ -97,6 +100,16 @@ TEST(RecordedLoads, ImpulseIsKept)
     loads->set_time(0.5e-3);
     EXPECT_NEAR(loads->pressure(0), factor * 100., 1e-10);
     EXPECT_NEAR(audited(*loads, "loads_impulse_factor"), factor, 1e-12);
+  }
+  // Who asks for it gets any impulse back, or none.
+  for (const auto &[most, factor] :
+       {std::pair{"1", 0.48 / (0.5 * 0.6 - 0.12)}, std::pair{"0.01", 1.}})
+  {
+    const auto chosen = read_loads(file, 0., most);
+    const double area = factor > 1. ? 0.5 : 0.95;
+    chosen->reinit(
+      middles, {Point<3>(-area, 0., 0.), Point<3>(2., 0., 0.)}, MPI_COMM_SELF);
+    EXPECT_NEAR(audited(*chosen, "loads_impulse_factor"), factor, 1e-12);
   }
   std::filesystem::remove(file);
 }

@@ -184,8 +184,8 @@ def _checks(scene):
             f"{page.number(factor)} so that the impulses agree"
             if factor != 1. else "; pressures are as recorded" + (
                 ", since the impulses differ by too much for one factor on all "
-                "of them" if abs(change) >= load_impulses.LARGEST_CORRECTION
-                else ""))
+                "of them" if abs(change) >=
+                load_impulses.largest_correction(scene) else ""))
         items.append(
             f"Impulse: {page.quantity(recorded, 'N s')} recorded on the whole "
             f"body, {page.quantity(mapped, 'N s')} along it on the elements "

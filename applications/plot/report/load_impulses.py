@@ -5,8 +5,6 @@
 import math
 import operator
 
-LARGEST_CORRECTION = 0.1  # of Loads/Recorded/Keep impulse
-
 
 def along(scene):
     """The recorded impulse of the whole body and, along its direction, that on
@@ -19,10 +17,16 @@ def along(scene):
         if size else None
 
 
+def largest_correction(scene):
+    """The part by which impulses may differ to be made equal."""
+    return (scene.biomechanics.parameter("Loads/Recorded/Largest correction")
+            or [0.1])[0]
+
+
 def difference(scene):
     """By how much the impulse on the elements differs from the recorded one, as
     a part of that; 0 without loads. It is not 0 where the surfaces differ by
-    too much for a correction, which the coarser run may have: then the
-    difference of both runs does not show it."""
+    too much for a correction, as those of the coarser run may as well: then
+    the difference of both runs does not show it."""
     found = along(scene)
     return 0. if found is None else abs(found[1] / found[0] - 1.)

@@ -5,6 +5,7 @@
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/coupling/scene/coarser_run.h>
+#include <contrecoup/coupling/scene/stage_results.h>
 
 #include <map>
 
@@ -69,5 +70,16 @@ CoarserRun::biomechanics(const dealii::ParameterHandler &prm)
           // More hourglass energy than the audit of the scene allows is an
           // error of the coarser mesh that the estimate has to show.
           parse_override("Energy audit/Largest hourglass part=1")};
+}
+
+
+std::vector<std::string>
+CoarserRun::same_correction_of_loads(const std::string &folder)
+{
+  const double factor = stage_check(folder, "loads_impulse_factor");
+  const std::string loads = "Loads/Recorded/";
+  return {"--set",
+          factor == 1. ? loads + "Keep impulse=false"
+                       : loads + "Largest correction=1"};
 }
 } // namespace contrecoup::coupling

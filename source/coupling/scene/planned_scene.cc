@@ -66,7 +66,7 @@ PlannedScene::PlannedScene(dealii::ParameterHandler &prm,
   require_measures();
   sides_ = find_chosen_sides(wrote, *layout_);
   plan_ =
-    scene_plan(parameters_, *layout_, sides_, body_mass_, has(Tissue::lung));
+    scene_plan(parameters_, *layout_, wrote, body_mass_, has(Tissue::lung));
 }
 
 

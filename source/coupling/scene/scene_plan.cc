@@ -4,14 +4,14 @@
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/coupling/scene/model_bias.h>
 #include <contrecoup/coupling/scene/scene_plan.h>
+#include <contrecoup/coupling/scene/stage_results.h>
 #include <contrecoup/io/file/file_format.h>
-#include <contrecoup/io/output/history_reader.h>
 
+#include <boost/algorithm/string/replace.hpp>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <limits>
 #include <map>
 
@@ -49,23 +49,35 @@ namespace
             ""};
   }
 
-  Assumption strain(const double value)
+  std::string strain_of(const std::string &tissue)
   {
+    return "strain that 95 % of " + tissue + " do not exceed";
+  }
+
+  /// @param kinematics as the user wrote it; empty: that of the scene
+  Assumption strain(const std::string &kinematics)
+  {
+    const bool is_large = kinematics == "neo-hookean";
     return {"strain",
-            "any rotation, small strains",
-            "strain that 95 % of the brain do not exceed",
+            is_large                       ? "any rotation and strain"
+            : kinematics == "small strain" ? "small rotations and strains"
+                                           : "any rotation, small strains",
+            strain_of("a tissue"),
             "-",
-            value,
-            largest_strain,
+            unknown,
+            is_large ? unknown : largest_strain,
             false,
             "Biomechanics/Elements/Kinematics"};
   }
 
   /// Who stands is held by the ground: the figure is for information.
-  Assumption gravity_of_body(const double end_time, const double speed)
+  /// @param given acceleration as the user wrote it
+  Assumption gravity_of_body(const double end_time,
+                             const double speed,
+                             const std::string &given)
   {
     return {"gravity_of_body",
-            "left out",
+            given.empty() ? "left out" : given + " m/s^2",
             "speed due to gravity over that of the body",
             "-",
             gravity * end_time / speed,
@@ -224,17 +236,6 @@ namespace
   }
 
 
-  /// The result of that name in a summary, an object with value and unit.
-  Json result_of(const Json &summary, const std::string &name)
-  {
-    return summary.is_object() && summary.contains("results") &&
-               summary["results"].is_object() &&
-               summary["results"].contains(name)
-             ? summary["results"][name]
-             : Json();
-  }
-
-
   /// Items about charge and cells, known before the run.
   std::vector<Assumption> items_of_charge(const SceneParameters &scene,
                                           const SceneLayout &layout)
@@ -264,10 +265,7 @@ namespace
                                           const std::string &folder)
   {
     const double duration =
-      layout.probe
-        ? number_or_unknown(result_of(read_summary(folder), "probe_1_duration"),
-                            "value")
-        : unknown;
+      layout.probe ? stage_result(folder, "probe_1_duration") : unknown;
     std::vector<Assumption> items = items_of_charge(scene, layout);
     for (Assumption &item : items)
       if (item.name == "resolution")
@@ -276,6 +274,40 @@ namespace
                 scene.afterburn > 0.) ||
                item.name.rfind("model_bias_", 0) == 0)
         item.value = unknown;
+    return items;
+  }
+
+  /// Items of the plan about the body, with what biomechanics measured.
+  std::vector<Assumption> found_of_body(const SceneParameters &scene,
+                                        const SceneLayout &layout,
+                                        const std::vector<Assumption> &plan,
+                                        const std::string &folder)
+  {
+    const std::string solid = folder + "/biomechanics";
+    const BodyMotion motion =
+      measure_motion(solid, layout.arrival + layout.positive_phase);
+    const StrainedTissue tissue = most_strained_tissue(solid);
+    std::vector<Assumption> items;
+    for (Assumption item : plan)
+    {
+      if (item.name == "rigid_body")
+        item = rigid_body(motion.displacement, layout);
+      else if (item.name == "strain")
+      {
+        item.value = tissue.strain;
+        if (!tissue.name.empty())
+          item.quantity =
+            strain_of("the most strained tissue, " +
+                      boost::replace_all_copy(tissue.name, "_", " ") + ",");
+      }
+      else if (item.name == "lung")
+        item = lung(scene, largest_trunk_peak(folder + "/blast"));
+      else if (item.name == "gravity_of_body")
+        item.value = gravity * scene.end_time / motion.speed;
+      else
+        continue;
+      items.push_back(item);
+    }
     return items;
   }
 
@@ -347,42 +379,17 @@ namespace
   }
 
 
-  /// Largest overpressure at the gauges of the trunk [Pa]; NaN: none.
-  double largest_peak(const std::string &folder)
+  /// What the user wrote for an entry of biomechanics; empty: nothing.
+  std::string written(const std::vector<Assignment> &wrote,
+                      const std::string &section,
+                      const std::string &entry)
   {
-    const Json summary = read_summary(folder);
-    double largest = unknown;
-    for (const std::string place : {"chest", "abdomen", "back"})
-      largest =
-        std::fmax(largest,
-                  number_or_unknown(
-                    result_of(summary, "loads_" + place + "_peak"), "value"));
-    return largest;
-  }
-
-
-  /// Largest norm of the vector "NAME_x", "NAME_y", "NAME_z" over all probes
-  /// and times of a task until @p last [s]; NaN if there is none.
-  double
-  largest_vector(const std::string &folder,
-                 const std::string &name,
-                 const double last = std::numeric_limits<double>::infinity())
-  {
-    const std::string file = folder + "/probes.csv";
-    if (!std::filesystem::exists(file))
-      return unknown;
-    const io::HistoryTable table = io::read_history(file);
-    const std::vector<double> &times = table.column("time", file);
-    double largest = unknown;
-    for (std::size_t i = 0; i + 2 < table.names.size(); ++i)
-      if (table.names[i].find(name + "_x") != std::string::npos)
-        for (std::size_t row = 0; row < times.size() && times[row] <= last;
-             ++row)
-          largest = std::fmax(largest,
-                              std::hypot(table.columns[i][row],
-                                         table.columns[i + 1][row],
-                                         table.columns[i + 2][row]));
-    return largest;
+    std::string value;
+    for (const Assignment &assignment : wrote)
+      if (assignment.entry == entry &&
+          join(assignment.sections, "/") == "Biomechanics/" + section)
+        value = trim(assignment.value);
+    return value;
   }
 } // namespace
 
@@ -423,7 +430,7 @@ std::vector<ChosenSide> find_chosen_sides(const std::vector<Assignment> &wrote,
 
 std::vector<Assumption> scene_plan(const SceneParameters &scene,
                                    const SceneLayout &layout,
-                                   const std::vector<ChosenSide> &sides,
+                                   const std::vector<Assignment> &wrote,
                                    const double body_mass,
                                    const bool has_lung)
 {
@@ -437,44 +444,34 @@ std::vector<Assumption> scene_plan(const SceneParameters &scene,
     body_mass;
   const double phase = wave.value(BlastQuantity::duration, layout.distance);
   std::vector<Assumption> items = items_of_charge(scene, layout);
-  for (const ChosenSide &side : sides)
+  for (const ChosenSide &side : find_chosen_sides(wrote, layout))
     items.push_back(chosen_side(side, layout));
   items.push_back(end_of_load(scene, layout.arrival + phase));
   // Under a load that falls linearly.
   items.push_back(rigid_body(2. / 3. * speed * phase, layout));
   if (!scene.wants_injury())
     return items;
-  items.push_back(strain(unknown));
+  items.push_back(strain(written(wrote, "Elements", "Kinematics")));
   if (has_lung)
     items.push_back(
       lung(scene,
            wave.value(BlastQuantity::reflected_overpressure, layout.distance)));
-  items.push_back(gravity_of_body(scene.end_time, speed));
+  items.push_back(gravity_of_body(
+    scene.end_time, speed, written(wrote, "Gravity", "Acceleration")));
   return items;
 }
 
 
 std::vector<Assumption> scene_audit(const SceneParameters &scene,
                                     const SceneLayout &layout,
-                                    const bool has_lung,
+                                    const std::vector<Assumption> &plan,
                                     const std::string &folder)
 {
-  const std::string solid = folder + "/biomechanics";
   std::vector<Assumption> items =
     found_of_charge(scene, layout, folder + "/blast");
   if (scene.wants_injury())
-  {
-    const double passed = layout.arrival + layout.positive_phase;
-    items.push_back(
-      rigid_body(largest_vector(solid, "displacement", passed), layout));
-    const Json summary = read_summary(solid);
-    items.push_back(strain(
-      number_or_unknown(result_of(summary, "injury_strain_95"), "value")));
-    if (has_lung)
-      items.push_back(lung(scene, largest_peak(folder + "/blast")));
-    items.push_back(
-      gravity_of_body(scene.end_time, largest_vector(solid, "velocity")));
-  }
+    for (const Assumption &item : found_of_body(scene, layout, plan, folder))
+      items.push_back(item);
   for (const Assumption &item : task_items(folder + "/blast", "measured"))
     items.push_back(item);
   return items;

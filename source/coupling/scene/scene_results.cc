@@ -233,8 +233,8 @@ void print_audit(const PlannedScene &scene,
                  const std::vector<SceneTask> &tasks,
                  const std::string &folder)
 {
-  const auto audit = scene_audit(
-    scene.parameters(), scene.layout(), scene.has(Tissue::lung), folder);
+  const auto audit =
+    scene_audit(scene.parameters(), scene.layout(), scene.plan(), folder);
   // In the words of the stage, which has given the same warnings.
   for (const std::string &line : io::audit_lines(
          named(whole_plan(scene, folder), tasks), named(audit, tasks)))
@@ -260,11 +260,10 @@ void write_scene(const PlannedScene &scene,
 {
   const SceneLayout &layout = scene.layout();
   const auto plan = named(whole_plan(scene, command.output_folder), tasks);
-  const auto audit = named(scene_audit(scene.parameters(),
-                                       layout,
-                                       scene.has(Tissue::lung),
-                                       command.output_folder),
-                           tasks);
+  const auto audit =
+    named(scene_audit(
+            scene.parameters(), layout, scene.plan(), command.output_folder),
+          tasks);
   const double person_mass = scene.person_mass();
   Json json = {
     {"application", "scene"},

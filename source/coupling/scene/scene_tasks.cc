@@ -204,15 +204,22 @@ namespace
     /// @param blast task that records the loads
     SceneTask biomechanics(const SceneTask &blast) const
     {
-      return biomechanics("biomechanics", blast, {});
+      return biomechanics("biomechanics", {}, blast.folder(), {blast.key()});
     }
 
     /// @param blast coarser blast that records the loads
-    SceneTask coarser_biomechanics(const SceneTask &blast) const
+    /// @param finer biomechanics of the scene
+    SceneTask coarser_biomechanics(const SceneTask &blast,
+                                   const SceneTask &finer) const
     {
-      SceneTask task =
-        biomechanics("coarser_biomechanics", blast, CoarserRun::biomechanics);
+      SceneTask task = biomechanics("coarser_biomechanics",
+                                    CoarserRun::biomechanics,
+                                    blast.folder(),
+                                    {blast.key(), finer.key()});
       task.set_optional();
+      task.set_late_arguments([folder = finer.folder()]() {
+        return CoarserRun::same_correction_of_loads(folder);
+      });
       return task;
     }
 
@@ -275,18 +282,18 @@ namespace
     }
 
     SceneTask biomechanics(const std::string &name,
-                           const SceneTask &blast,
-                           const EntryChanges &changes) const
+                           const EntryChanges &changes,
+                           const std::string &blast,
+                           const std::vector<std::string> &upstream) const
     {
-      SceneTask task = solver(name,
-                              biomechanics_application(),
-                              biomechanics_text(changes),
-                              {blast.key()});
-      const std::string loads =
-        std::filesystem::absolute(blast.folder() + "/loads.h5").string();
-      task.set_arguments({"--set", "Loads/Recorded/File=" + loads});
+      SceneTask task = solver(
+        name, biomechanics_application(), biomechanics_text(changes), upstream);
+      const std::filesystem::path folder = std::filesystem::absolute(blast);
+      task.set_arguments(
+        {"--set", "Loads/Recorded/File=" + (folder / "loads.h5").string()});
       task.set_check_arguments(expected_load(scene_.layout()));
-      task.rename("Loads/Recorded/File", "the loads of stage " + blast.name());
+      task.rename("Loads/Recorded/File",
+                  "the loads of stage " + folder.filename().string());
       return task;
     }
 
@@ -350,10 +357,11 @@ std::vector<SceneTask> make_tasks(const PlannedScene &scene,
     tasks.push_back(maker.biomechanics(tasks.back()));
   if (!scene.parameters().estimates_error)
     return tasks;
+  const SceneTask finer = tasks.back();
   tasks.push_back(maker.coarser_blast());
   // Hexahedra of one's own have no larger ones.
   if (scene.parameters().wants_injury() && !scene.body().own_mesh())
-    tasks.push_back(maker.coarser_biomechanics(tasks.back()));
+    tasks.push_back(maker.coarser_biomechanics(tasks.back(), finer));
   return tasks;
 }
 

@@ -244,11 +244,17 @@ bool SceneTask::run(const bool resume, Collective &collective)
     "--output",
     files_.folder(status_.uses_new_folder),
     goes_on ? "--resume" : "--overwrite"};
-  words.insert(words.end(), arguments_.begin(), arguments_.end());
+  std::vector<std::string> late;
   collective.run([&]() {
-    if (is_first_rank())
-      begin(goes_on);
+    if (!is_first_rank())
+      return;
+    if (find_late_arguments_)
+      late = find_late_arguments_();
+    begin(goes_on);
   });
+  late = dealii::Utilities::MPI::broadcast(collective.communicator(), late, 0);
+  for (const auto *list : {&arguments_, &late})
+    words.insert(words.end(), list->begin(), list->end());
   const auto begin = std::chrono::steady_clock::now();
   CostEstimate unused;
   const Failure failure = call(words, 0., unused);

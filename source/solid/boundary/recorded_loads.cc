@@ -31,17 +31,34 @@ namespace
   /// similar normal.
   constexpr unsigned int n_candidates = 12;
 
-  /// Largest relative difference of impulses that the pressure factor
-  /// corrects; a larger one means different surfaces, and the factor would
-  /// change peaks that are right.
-  constexpr double largest_correction = 0.1;
-
   /// Least fraction of the recorded impulse, summed as magnitudes, that must
   /// arrive on this surface.
   constexpr double least_arriving = 0.5;
 
   const std::vector<std::string>
     mirrors{"none", "x", "y", "z", "x and y", "x and z", "y and z"};
+
+  void declare_correction(ParameterHandler &prm)
+  {
+    declare_bool(prm,
+                 "Keep impulse",
+                 "true",
+                 "Whether one factor on all pressures makes the impulse, "
+                 "along the direction of the recorded impulse, equal to the "
+                 "recorded one.");
+    declare_double(
+      prm,
+      "Largest correction",
+      "0.1",
+      0.,
+      1.,
+      "-",
+      used_with("Loads/Recorded/Keep impulse = true",
+                "The factor applies only if the impulses differ by "
+                "less than this part: a larger difference means "
+                "different surfaces, and the factor would change "
+                "peaks that are right."));
+  }
 
   Point<3> point_at(const std::vector<double> &numbers, const std::size_t i)
   {
@@ -98,12 +115,7 @@ void RecordedLoads::declare_parameters(ParameterHandler &prm)
                  "edges, exceeds this value: they belong to another body or "
                  "place. A man at the recorded place has 0; turned by 180 "
                  "degrees, 0.3 for facets 34 mm wide and 0.6 for 17 mm.");
-  declare_bool(prm,
-               "Keep impulse",
-               "true",
-               "Whether one factor on all pressures makes the impulse, "
-               "along the direction of the recorded impulse, equal to the "
-               "recorded one; applies only if they differ by less than 10 %.");
+  declare_correction(prm);
 }
 
 
@@ -129,7 +141,8 @@ RecordedLoads::parse_parameters(ParameterHandler &prm)
   if (mirror != "none")
     for (unsigned int d = 0; d < 3; ++d)
       loads->mirrored_[d] = mirror.find("xyz"[d]) != std::string::npos;
-  loads->keep_impulse_ = prm.get_bool("Keep impulse");
+  if (prm.get_bool("Keep impulse"))
+    loads->largest_correction_ = read_double(prm, "Largest correction");
   return loads;
 }
 
@@ -281,17 +294,19 @@ void RecordedLoads::measure_impulses()
   sum_impulses(impulse);
   const double ratio = mapped_impulse_ * recorded_impulse_ /
                        std::max(recorded_impulse_.norm_square(), 1e-300);
-  const bool corrects = std::abs(ratio - 1.) < largest_correction;
-  factor_ = keep_impulse_ && corrects ? 1. / ratio : 1.;
-  log_line((keep_impulse_ && !corrects ? "WARNING: " : "") +
+  const bool keeps_impulse = largest_correction_ > 0.;
+  const bool corrects = std::abs(ratio - 1.) < largest_correction_;
+  factor_ = corrects ? 1. / ratio : 1.;
+  log_line((keeps_impulse && !corrects ? "WARNING: " : "") +
            std::string("Loads/Recorded: the loads on this body have ") +
            brief(ratio) + " times the recorded impulse; pressures are " +
            (factor_ == 1. ? "as recorded"
                           : "multiplied by " + brief(factor_) +
                               ", which makes the impulses equal") +
-           (corrects ? ""
-                     : "; smaller cells of the blast at the skin bring the "
-                       "surfaces together"));
+           (corrects || !keeps_impulse
+              ? ""
+              : "; smaller cells of the blast at the skin bring the "
+                "surfaces together"));
 }
 
 

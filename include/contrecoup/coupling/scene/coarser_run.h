@@ -7,6 +7,7 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <string>
 #include <vector>
 
 namespace contrecoup::coupling
@@ -37,5 +38,12 @@ struct CoarserRun
   /// @param prm entries of the scene's biomechanics
   static std::vector<Assignment>
   biomechanics(const dealii::ParameterHandler &prm);
+
+  /// Arguments by which the coarser biomechanics makes the impulse of the loads
+  /// equal to the recorded one exactly if that of the scene did: errors would
+  /// else contain the jump between both.
+  /// @param folder of the scene's finished biomechanics
+  static std::vector<std::string>
+  same_correction_of_loads(const std::string &folder);
 };
 } // namespace contrecoup::coupling

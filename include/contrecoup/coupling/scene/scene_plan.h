@@ -45,19 +45,21 @@ std::vector<ChosenSide> find_chosen_sides(const std::vector<Assignment> &wrote,
 /// from the layout alone: symmetry, sides of the domain that the user chose, a
 /// body at rest for the gas, small strain, no gravity, a lung that the load
 /// does not crush, and a sufficient end time.
+/// @param wrote all assignments of the user
 /// @param body_mass [kg]
 std::vector<Assumption> scene_plan(const SceneParameters &scene,
                                    const SceneLayout &layout,
-                                   const std::vector<ChosenSide> &sides,
+                                   const std::vector<Assignment> &wrote,
                                    double body_mass,
                                    bool has_lung);
 
 /// Measured values of these assumptions and of those of the tasks; empty for
 /// tasks without results.
+/// @param plan scene_plan() of the scene
 /// @param folder of the scene
 std::vector<Assumption> scene_audit(const SceneParameters &scene,
                                     const SceneLayout &layout,
-                                    bool has_lung,
+                                    const std::vector<Assumption> &plan,
                                     const std::string &folder);
 
 /// Plan of a task from its summary; empty without a summary.

@@ -146,6 +146,13 @@ public:
     arguments_ = arguments;
   }
 
+  /// Sets how run() finds further arguments, in results of earlier tasks. The
+  /// first rank calls it.
+  void set_late_arguments(const std::function<std::vector<std::string>()> &find)
+  {
+    find_late_arguments_ = find;
+  }
+
   /// Sets further arguments of check(), for what earlier tasks have not made
   /// yet.
   void set_check_arguments(const std::vector<std::string> &arguments)
@@ -206,6 +213,7 @@ private:
   bool is_optional_ = false;
   Runner runner_;
   std::vector<std::string> arguments_, check_arguments_;
+  std::function<std::vector<std::string>()> find_late_arguments_;
   TaskRecord record_;
   Status status_;
   Failure stop_;

@@ -61,8 +61,8 @@ private:
   double largest_distance_ = 0.;
   /// directions with a symmetry plane through 0
   std::array<bool, 3> mirrored_{};
-  bool keep_impulse_ = true;
-  double factor_ = 1.; ///< on all pressures
+  double largest_correction_ = 0.; ///< of impulses, relative; 0: none
+  double factor_ = 1.;             ///< on all pressures
 
   MPI_Comm communicator_ = MPI_COMM_SELF;
   /// recorded facet of each facet of this rank

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <string>
+
+namespace contrecoup::coupling
+{
+/// What stages of a scene measured, by their folders; NaN is unknown.
+
+/// The value of that name among the results in a stage's summary, in SI units.
+double stage_result(const std::string &folder, const std::string &name);
+
+/// The same among its checks.
+double stage_check(const std::string &folder, const std::string &name);
+
+/// Largest overpressure at the gauges of the trunk [Pa].
+double largest_trunk_peak(const std::string &folder);
+
+/// Largest motion of a body, at its probes or of its centre of mass.
+struct BodyMotion
+{
+  double displacement; ///< [m]
+  double speed;        ///< [m/s]
+};
+
+/// Motion in the tables of biomechanics.
+/// @param last time until which the displacement counts [s]
+/// @throws InputError for damaged tables
+BodyMotion measure_motion(const std::string &folder, double last);
+
+/// The most strained tissue of biomechanics.
+struct StrainedTissue
+{
+  std::string name; ///< "soft_tissue"; empty: unknown
+  double strain;    ///< that 95 % of its volume do not exceed [-]
+};
+
+StrainedTissue most_strained_tissue(const std::string &folder);
+} // namespace contrecoup::coupling

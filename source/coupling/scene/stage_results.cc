@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/coupling/scene/stage_results.h>
+#include <contrecoup/io/file/file_format.h>
+#include <contrecoup/io/output/history_reader.h>
+
+#include <deal.II/base/tensor.h>
+
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <utility>
+
+namespace contrecoup::coupling
+{
+namespace
+{
+  using Json = nlohmann::ordered_json;
+  using Vector = dealii::Tensor<1, 3>;
+
+  constexpr double not_measured = std::numeric_limits<double>::quiet_NaN();
+
+  /// A group in the summary of a stage, an object of objects with value and
+  /// unit.
+  Json group_in(const std::string &folder, const std::string &group)
+  {
+    const Json summary =
+      io::read_json(folder + "/summary.json", io::formats::summary);
+    return summary.is_object() && summary.contains(group) &&
+               summary[group].is_object()
+             ? summary[group]
+             : Json::object();
+  }
+
+  double value_in(const Json &group, const std::string &name)
+  {
+    return group.contains(name) && group[name].is_object() &&
+               group[name].contains("value") && group[name]["value"].is_number()
+             ? group[name]["value"].get<double>()
+             : not_measured;
+  }
+
+  /// The vector that begins with column @p first in a row.
+  Vector
+  vector_at(const io::HistoryTable &table, std::size_t first, std::size_t row)
+  {
+    Vector vector;
+    for (unsigned int d = 0; d < 3; ++d)
+      vector[d] = table.columns[first + d][row];
+    return vector;
+  }
+
+  BodyMotion motion_of_probes(const std::string &file, const double last)
+  {
+    BodyMotion largest{not_measured, not_measured};
+    const io::HistoryTable table = io::read_history(file);
+    const std::vector<double> &times = table.column("time", file);
+    const auto norm = [&](const std::size_t first, const std::size_t row) {
+      return vector_at(table, first, row).norm();
+    };
+    for (std::size_t i = 0; i + 2 < table.names.size(); ++i)
+      for (std::size_t row = 0; row < times.size(); ++row)
+        if (table.names[i].find("velocity_x") != std::string::npos)
+          largest.speed = std::fmax(largest.speed, norm(i, row));
+        else if (table.names[i].find("displacement_x") != std::string::npos &&
+                 times[row] <= last)
+          largest.displacement = std::fmax(largest.displacement, norm(i, row));
+    return largest;
+  }
+
+  /// The centre of mass by the momentum of the body.
+  BodyMotion motion_of_center(const std::string &file, const double last)
+  {
+    BodyMotion largest{not_measured, not_measured};
+    const io::HistoryTable table = io::read_history(file);
+    const std::vector<double> &times = table.column("time", file);
+    const std::vector<double> &mass = table.column("mass", file);
+    std::array<const std::vector<double> *, 3> momentum;
+    for (unsigned int d = 0; d < 3; ++d)
+      momentum[d] = &table.column(std::string("momentum_") + "xyz"[d], file);
+    Vector place, before;
+    for (std::size_t row = 0; row < times.size(); ++row)
+    {
+      Vector velocity;
+      for (unsigned int d = 0; d < 3; ++d)
+        velocity[d] = (*momentum[d])[row] / mass[row];
+      if (row > 0)
+        place += 0.5 * (times[row] - times[row - 1]) * (before + velocity);
+      before = velocity;
+      largest.speed = std::fmax(largest.speed, velocity.norm());
+      if (times[row] <= last)
+        largest.displacement = std::fmax(largest.displacement, place.norm());
+    }
+    return largest;
+  }
+} // namespace
+
+
+double stage_result(const std::string &folder, const std::string &name)
+{
+  return value_in(group_in(folder, "results"), name);
+}
+
+
+double stage_check(const std::string &folder, const std::string &name)
+{
+  return value_in(group_in(folder, "checks"), name);
+}
+
+
+double largest_trunk_peak(const std::string &folder)
+{
+  const Json results = group_in(folder, "results");
+  double largest = not_measured;
+  for (const std::string place : {"chest", "abdomen", "back"})
+    largest = std::fmax(largest, value_in(results, "loads_" + place + "_peak"));
+  return largest;
+}
+
+
+BodyMotion measure_motion(const std::string &folder, const double last)
+{
+  BodyMotion largest{not_measured, not_measured};
+  for (const auto &[table, motion_of] :
+       {std::pair{"/probes.csv", &motion_of_probes},
+        std::pair{"/history.csv", &motion_of_center}})
+    if (std::filesystem::exists(folder + table))
+    {
+      const BodyMotion motion = motion_of(folder + table, last);
+      largest.displacement =
+        std::fmax(largest.displacement, motion.displacement);
+      largest.speed = std::fmax(largest.speed, motion.speed);
+    }
+  return largest;
+}
+
+
+StrainedTissue most_strained_tissue(const std::string &folder)
+{
+  const std::string begin = "principal_strain_95_";
+  const Json results = group_in(folder, "results");
+  StrainedTissue most{"", not_measured};
+  for (const auto &[name, result] : results.items())
+  {
+    const double strain = value_in(results, name);
+    if (name.compare(0, begin.size(), begin) == 0 && !std::isnan(strain) &&
+        !(strain <= most.strain))
+      most = {name.substr(begin.size()), strain};
+  }
+  return most;
+}
+} // namespace contrecoup::coupling

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/coupling/scene/coarser_run.h>
+#include <contrecoup/coupling/scene/scene_plan.h>
+#include <contrecoup/coupling/scene/stage_results.h>
+#include <contrecoup/geometry/shape/primitive_shapes.h>
+#include <contrecoup/io/file/temporary_folder.h>
+#include <contrecoup/io/output/history.h>
+#include <contrecoup/io/run/plan_table.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+using namespace contrecoup;
+using namespace contrecoup::coupling;
+using dealii::Point;
+
+namespace
+{
+SceneParameters small_scene()
+{
+  SceneParameters scene;
+  scene.accuracy = SceneParameters::accuracies.front();
+  scene.question = "injury";
+  scene.symmetry = "none";
+  scene.explosive = find_explosive("tnt");
+  scene.tissues = "physiological";
+  scene.mass = 1.;
+  scene.end_time = 0.01;
+  scene.place = Point<3>(2., 0., 1.);
+  return scene;
+}
+
+SceneLayout box_layout(const SceneParameters &scene)
+{
+  return {scene,
+          RoundedBox(Point<3>(0., 0., 0.9), Point<3>(0.15, 0.25, 0.9), 0.05)};
+}
+
+/// What biomechanics leaves of a body of 2 kg without probes whose speed along
+/// x grows by 3 m/s in 10 ms.
+void write_biomechanics(const std::string &folder, const std::string &strains)
+{
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder + "/summary.json")
+    << R"({"results": {)" << strains << R"("peak": {"value": 9, "unit": "Pa"}},
+          "checks": {"loads_impulse_factor": {"value": 1.05, "unit": "-"}}})";
+  io::HistoryFile history(folder + "/history.csv");
+  history.start();
+  for (int step = 0; step <= 10; ++step)
+    history.add_row({{"time", "s", 1e-3 * step},
+                     {"mass", "kg", 2.},
+                     {"momentum_x", "N s", 0.6 * step},
+                     {"momentum_y", "N s", 0.},
+                     {"momentum_z", "N s", 0.}});
+}
+
+const std::string gelatin_and_lung =
+  R"("principal_strain_95_gelatin": {"value": 0.49, "unit": "-"},
+     "principal_strain_95_lung": {"value": 0.21, "unit": "-"},)";
+
+Assumption item_of(const std::vector<Assumption> &items,
+                   const std::string &name)
+{
+  const Assumption *item = io::find_assumption(items, name);
+  if (item == nullptr)
+    throw std::runtime_error("no item " + name);
+  return *item;
+}
+} // namespace
+
+
+TEST(StageResults, NameTheMostStrainedTissue)
+{
+  const io::TemporaryFolder folder;
+  EXPECT_EQ(most_strained_tissue(folder.path()).name, "");
+  EXPECT_TRUE(std::isnan(most_strained_tissue(folder.path()).strain));
+  write_biomechanics(folder.path(), gelatin_and_lung);
+  EXPECT_EQ(most_strained_tissue(folder.path()).name, "gelatin");
+  EXPECT_EQ(most_strained_tissue(folder.path()).strain, 0.49);
+  EXPECT_EQ(stage_result(folder.path(), "peak"), 9.);
+  EXPECT_TRUE(std::isnan(stage_result(folder.path(), "loads_impulse_factor")));
+}
+
+
+TEST(StageResults, FindTheMotionOfABodyWithoutProbes)
+{
+  const io::TemporaryFolder folder;
+  EXPECT_TRUE(std::isnan(measure_motion(folder.path(), 1.).displacement));
+  write_biomechanics(folder.path(), "");
+  const BodyMotion motion = measure_motion(folder.path(), 8e-3);
+  EXPECT_NEAR(motion.speed, 3., 1e-12);
+  EXPECT_NEAR(motion.displacement, 0.5 * 300. * 8e-3 * 8e-3, 1e-12);
+  // A probe moves farther than the centre of mass.
+  io::HistoryFile probes(folder.path() + "/probes.csv");
+  probes.start();
+  for (const double time : {0., 1e-3, 9e-3})
+    probes.add_row({{"time", "s", time},
+                    {"probe_1_displacement_x", "m", 30. * time},
+                    {"probe_1_displacement_y", "m", 40. * time},
+                    {"probe_1_displacement_z", "m", 0.},
+                    {"probe_1_velocity_x", "m/s", 0.},
+                    {"probe_1_velocity_y", "m/s", 0.5},
+                    {"probe_1_velocity_z", "m/s", 0.}});
+  probes.flush();
+  EXPECT_NEAR(measure_motion(folder.path(), 8e-3).displacement, 0.05, 1e-12);
+  EXPECT_NEAR(measure_motion(folder.path(), 8e-3).speed, 3., 1e-12);
+}
+
+
+TEST(SceneAudit, JudgesStrainAndMotionOfAnyBody)
+{
+  const SceneParameters scene = small_scene();
+  const SceneLayout layout = box_layout(scene);
+  const io::TemporaryFolder folder;
+  write_biomechanics(folder.path() + "/biomechanics", gelatin_and_lung);
+  const auto audit = [&](const std::vector<Assignment> &wrote) {
+    return scene_audit(scene,
+                       layout,
+                       scene_plan(scene, layout, wrote, 2., false),
+                       folder.path());
+  };
+  const Assumption strain = item_of(audit({}), "strain");
+  EXPECT_EQ(strain.value, 0.49);
+  EXPECT_TRUE(strain.fails());
+  EXPECT_NE(strain.quantity.find("most strained tissue, gelatin"),
+            std::string::npos)
+    << strain.quantity;
+  EXPECT_GT(item_of(audit({}), "rigid_body").value, 0.);
+  EXPECT_NEAR(item_of(audit({}), "gravity_of_body").value,
+              9.81 * scene.end_time / 3.,
+              1e-12);
+  // A law for large strains has no such limit.
+  const auto large =
+    audit({parse_override("Biomechanics/Elements/Kinematics=neo-hookean"),
+           parse_override("Biomechanics/Gravity/Acceleration=0, 0, -9.81")});
+  EXPECT_FALSE(item_of(large, "strain").fails());
+  EXPECT_EQ(item_of(large, "strain").decision, "any rotation and strain");
+  EXPECT_EQ(item_of(large, "gravity_of_body").decision, "0, 0, -9.81 m/s^2");
+}
+
+
+// Whether one factor keeps the impulse is decided once, for both runs.
+TEST(CoarserRun, CorrectsTheImpulseAsTheSceneDoes)
+{
+  using Words = std::vector<std::string>;
+  const io::TemporaryFolder folder;
+  write_biomechanics(folder.path(), "");
+  EXPECT_EQ(CoarserRun::same_correction_of_loads(folder.path()),
+            (Words{"--set", "Loads/Recorded/Largest correction=1"}));
+  std::ofstream(folder.path() + "/summary.json")
+    << R"({"checks": {"loads_impulse_factor": {"value": 1.0, "unit": "-"}}})";
+  EXPECT_EQ(CoarserRun::same_correction_of_loads(folder.path()),
+            (Words{"--set", "Loads/Recorded/Keep impulse=false"}));
+}
