@@ -310,6 +310,14 @@ def accepted():
     yield ("a wall of the user", "scene",
            shipped(SCENE, near, entry("Blast/Boundaries/x low", "wall")),
            "side_x_low")
+    yield ("a level of a stage", "scene",
+           shipped(SCENE, near, entry("Blast/Adaptation/Largest level", "1")),
+           "changed: Blast/Adaptation/Largest level = 1, otherwise ")
+    yield ("air of a stage", "scene",
+           shipped(SCENE, near,
+                   entry("Blast/Initial state/Background/Pressure", "90000")),
+           "changed: Blast/Initial state/Background/Pressure = 90000, otherwise "
+           "101325")
     yield ("an explosive of the user", "scene",
            shipped(SCENE, near, entry("Charge/Explosive", "custom"),
                    entry("Charge/Custom explosive/Name", "my mix"),

@@ -94,6 +94,18 @@ scene_refuses(early_end "the blast reaches the body at"
 scene_refuses(no_symmetry "differ by"
   SET "Scene/Symmetry=y" "Body/Shift=0, 0.1, 1")
 scene_refuses(unknown_entry "unknown entry" SET "Blast/Method/Limitr=mc")
+scene_refuses(other_charge "contradicts Charge/Mass of the scene"
+  SET "Blast/Charges/Charge 1/Mass=5")
+scene_refuses(other_explosive "contradicts Charge/Explosive of the scene"
+  SET "Blast/Material/Explosive=petn 1.77")
+scene_refuses(other_body "contradicts Body/Rotation of the scene"
+  SET "Biomechanics/Body/Rotation=0, 0, 90")
+scene_refuses(other_mass "contradicts Body of the scene"
+  SET "Blast/Loads/Body mass=20")
+scene_refuses(other_cells "contradicts Scene/Cell size of the scene"
+  SET "Blast/Rigid body/Levels=0")
+scene_refuses(other_elements "contradicts Scene/Element size of the scene"
+  SET "Anatomy/Mesh/Element size=0.02")
 scene_refuses(unrecorded_loads "Blast/Loads/Record must be true"
   SET "Blast/Loads/Record=no")
 scene_refuses(tiny_elements "Scene/Element size: elements of 1e-09 m"

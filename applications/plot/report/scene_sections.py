@@ -82,7 +82,7 @@ def section(scene):
     changes = scene.list_of("changes")
     if changes:
         parts.append(page.table(
-            ("entry that is not of the libraries", "value", "library"),
+            ("entry of the user's own", "value", "otherwise"),
             [(page.tag("code", row.get("entry", "")), row.get("value", ""),
               row.get("before", "")) for row in changes]))
     remarks = [_sentence(str(remark))

@@ -178,7 +178,8 @@ void PlannedScene::print(const bool with_plan) const
                 "mass of air; what it has there is not known beforehand");
   for (const ChangedEntry &change : parameters_.changes)
     show_line("  changed: " + change.entry + " = " + change.value +
-              ", in the library " + change.before);
+              (change.is_of_stage ? ", otherwise " : ", in the library ") +
+              change.before);
   for (const std::string &line : thin_layers_)
     log_line(line);
   std::vector<std::string> details;
@@ -188,6 +189,13 @@ void PlannedScene::print(const bool with_plan) const
     details.push_back(line);
   for (const std::string &line : details)
     with_plan ? show_line(line) : log_line(line);
+}
+
+
+void PlannedScene::add_changes(const std::vector<ChangedEntry> &changes)
+{
+  parameters_.changes.insert(
+    parameters_.changes.end(), changes.begin(), changes.end());
 }
 
 

@@ -368,7 +368,7 @@ std::vector<Assignment> blast_entries(const SceneParameters &scene,
   entries.set("Rigid body/Levels", layout.levels, "Scene/Accuracy");
   entries.set("Loads/Record", "true");
   entries.set("Loads/Interval", scene.end_time / 2400., "Scene/End time");
-  entries.set("Loads/Body mass", allowed_mass(body_mass));
+  entries.set("Loads/Body mass", allowed_mass(body_mass), "Body");
   set_adaptation(scene, layout, entries);
   if (layout.probe)
     entries.set("Probes/Points", text_of(*layout.probe));
@@ -403,7 +403,7 @@ biomechanics_entries(const SceneParameters &scene,
               has_lung || has_tissue(body, Tissue::brain) ? "true" : "false");
   if (has_lung)
     entries.set("Injury/Chest", text_of(front_of(body)));
-  entries.set("Injury/Body mass", allowed_mass(body_mass));
+  entries.set("Injury/Body mass", allowed_mass(body_mass), "Body");
   set_thresholds(scene.own_thresholds, entries);
   for (const Landmark &landmark : body.landmarks())
     if (landmark.name == "chest")

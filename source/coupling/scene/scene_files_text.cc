@@ -8,6 +8,7 @@
 #include <contrecoup/coupling/scene/scene_files.h>
 
 #include <map>
+#include <sstream>
 
 namespace contrecoup::coupling
 {
@@ -16,6 +17,77 @@ namespace
   std::string path_of(const Assignment &assignment)
   {
     return join(assignment.sections, "/") + "/" + assignment.entry;
+  }
+
+  /// The numbers of a list; empty if it holds anything else.
+  std::vector<double> numbers_in(const std::string &text)
+  {
+    std::vector<double> numbers;
+    for (const std::string &word : split(text, ','))
+    {
+      std::istringstream input(word);
+      double number = 0.;
+      if (!(input >> number) || !input.eof())
+        return {};
+      numbers.push_back(number);
+    }
+    return numbers;
+  }
+
+  bool is_same(const std::string &a, const std::string &b)
+  {
+    const std::vector<double> numbers = numbers_in(a);
+    return a == b || (!numbers.empty() && numbers == numbers_in(b));
+  }
+
+  /// Entry of the scene alone that may determine an entry of a stage, because
+  /// the scene's plan and report state it; empty: there is none.
+  std::string owner_of(const std::string &path,
+                       const std::vector<Assignment> &entries)
+  {
+    if (path.rfind("Body/", 0) == 0)
+      return path;
+    for (const Assignment &entry : entries)
+      for (const char *const own : {"Charge/", "Body", "Tissues/"})
+        if (path_of(entry) == path && entry.origin.rfind(own, 0) == 0 &&
+            path != "First stage/Kind")
+          return entry.origin;
+    return path == "Mesh/Element size"   ? "Scene/Element size"
+           : path == "Rigid body/Levels" ? "Scene/Cell size"
+           : path == "Method/Subcells"   ? "Scene/Cell size"
+                                         : "";
+  }
+
+  /// Entries of the user with another value than @p before.
+  /// @throws InputError for those that the scene alone may determine
+  std::vector<ChangedEntry>
+  find_changes(const std::string &stage,
+               const std::vector<Assignment> &of_user,
+               const std::vector<Assignment> &entries,
+               const std::map<std::string, std::string> &before,
+               const std::map<std::string, std::string> &after)
+  {
+    std::vector<ChangedEntry> changes;
+    for (const Assignment &assignment : of_user)
+    {
+      const std::string path = path_of(assignment);
+      const auto old = before.find(path), now = after.find(path);
+      if (old == before.end() || now == after.end() ||
+          is_same(old->second, now->second))
+        continue;
+      if (const std::string owner = owner_of(path, entries); !owner.empty())
+        throw InputError(
+          assignment.origin + ": " + stage + "/" + path + " = " + now->second +
+          " contradicts " + owner + " of the scene, which makes it " +
+          (old->second.empty() ? "empty" : old->second) + "; set " + owner);
+      const std::string &section = assignment.sections[0];
+      if (section != "Output" && section != "Pictures" && section != "Probes")
+        changes.push_back({stage + "/" + path,
+                           now->second,
+                           old->second.empty() ? "empty" : old->second,
+                           true});
+    }
+    return changes;
   }
 } // namespace
 
@@ -76,16 +148,18 @@ task_text(const std::string &name,
             assignment.value = own.value + "; " + assignment.value;
       of_user.push_back(assignment);
     }
-  all.insert(all.end(), of_user.begin(), of_user.end());
   // Sections that the scene describes by a section of its own.
   const std::map<std::string, std::string> sections = {{"Charges", "Charge"},
                                                        {"Rigid body", "Body"}};
   dealii::ParameterHandler prm;
   declare(prm);
   const SceneWords words(name, entries, sections, wrote, prm);
+  std::map<std::string, std::string> before;
   try
   {
     apply_assignments(all, prm);
+    before = parameter_values(prm);
+    apply_assignments(of_user, prm);
     if (changes)
       apply_assignments(changes(prm), prm);
   }
@@ -97,10 +171,14 @@ task_text(const std::string &name,
                   words,
                   assignments_of(prm),
                   parameter_values(prm),
+                  {},
                   {}};
   apply_assignments(given, prm);
   for (const std::string &line : find_unused(prm, of_user))
     result.unused.push_back(words(line));
+  if (!changes)
+    result.changes =
+      find_changes(name, of_user, entries, before, result.values);
   return result;
 }
 } // namespace contrecoup::coupling

@@ -32,6 +32,7 @@ SceneRun::SceneRun(const io::CommandLine &command,
     [&]() {
       scene_.emplace(prm, io::assignments_of(command_, prm));
       tasks_ = make_tasks(*scene_, command_, prm, collective_);
+      scene_->add_changes(stage_changes(*scene_, command_, prm, collective_));
     },
     ExitCode::bad_input);
 }

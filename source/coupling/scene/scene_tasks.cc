@@ -165,6 +165,14 @@ namespace
       check_biomechanics(scene_, blast, biomechanics_text({}));
     }
 
+    std::vector<ChangedEntry> changes() const
+    {
+      std::vector<ChangedEntry> all;
+      for (const TaskText &text : texts())
+        all.insert(all.end(), text.changes.begin(), text.changes.end());
+      return all;
+    }
+
     /// Shows which entries of the user have no effect on this scene, and a
     /// reflection from a side that is too near.
     void warn() const
@@ -186,15 +194,13 @@ namespace
           of_biomechanics.push_back(join(assignment.sections, "/") + "/" +
                                     assignment.entry);
       std::vector<std::string> warnings = find_unused(prm_, own);
-      std::vector<TaskText> texts{anatomy_text(), blast_text({})};
-      const std::string reflection = reflection_warning(scene_, texts.back());
-      if (scene_.parameters().wants_injury())
-        texts.push_back(biomechanics_text({}));
-      else if (!of_biomechanics.empty())
+      if (!scene_.parameters().wants_injury() && !of_biomechanics.empty())
         warnings.push_back(unused_warning(
           of_biomechanics, "Scene/Question is loads, not injury"));
-      for (const TaskText &text : texts)
+      const std::vector<TaskText> all = texts();
+      for (const TaskText &text : all)
         warnings.insert(warnings.end(), text.unused.begin(), text.unused.end());
+      const std::string reflection = reflection_warning(scene_, all[1]);
       if (!reflection.empty())
         warnings.push_back(reflection);
       for (const std::string &warning : warnings)
@@ -224,6 +230,15 @@ namespace
     }
 
   private:
+    /// Of anatomy, blast and, if injury is asked for, biomechanics.
+    std::vector<TaskText> texts() const
+    {
+      std::vector<TaskText> texts{anatomy_text(), blast_text({})};
+      if (scene_.parameters().wants_injury())
+        texts.push_back(biomechanics_text({}));
+      return texts;
+    }
+
     /// @throws InputError unless the blast records the loads for biomechanics
     void require_loads() const
     {
@@ -363,6 +378,15 @@ std::vector<SceneTask> make_tasks(const PlannedScene &scene,
   if (scene.parameters().wants_injury() && !scene.body().own_mesh())
     tasks.push_back(maker.coarser_biomechanics(tasks.back(), finer));
   return tasks;
+}
+
+
+std::vector<ChangedEntry> stage_changes(const PlannedScene &scene,
+                                        const io::CommandLine &command,
+                                        const ParameterHandler &prm,
+                                        Collective &collective)
+{
+  return Maker(scene, command, prm, collective).changes();
 }
 
 

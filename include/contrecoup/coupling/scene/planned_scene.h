@@ -30,6 +30,9 @@ public:
     return parameters_;
   }
 
+  /// Adds entries of stages to those that are shown as changed.
+  void add_changes(const std::vector<ChangedEntry> &changes);
+
   /// Kind of the body: phantom, image, ...
   const std::string &body_kind() const
   {

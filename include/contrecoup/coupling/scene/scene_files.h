@@ -57,6 +57,8 @@ struct TaskText
   std::map<std::string, std::string> values; ///< by path of the entry
   /// Warnings of find_unused() for what the user wrote.
   std::vector<std::string> unused;
+  /// Entries of the user with another value than the stage has without them.
+  std::vector<ChangedEntry> changes;
 };
 
 
@@ -79,7 +81,9 @@ std::string scene_text(const dealii::ParameterHandler &prm,
  * @param declare declares the entries of the application
  * @param changes changes to the resulting entries; empty: none
  * @param given entries that the task gets beside the file, if it has them
- * @throws InputError for entries that the application does not have
+ * @throws InputError for entries that the application does not have, and for
+ * those of the user that contradict an entry of the scene which describes the
+ * charge, the body or its elements
  */
 TaskText
 task_text(const std::string &name,

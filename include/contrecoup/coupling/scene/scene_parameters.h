@@ -20,12 +20,15 @@
 
 namespace contrecoup::coupling
 {
-/// An entry of the user that changes a value of a library.
+/// An entry of the user that changes a value of a library, or an entry of a
+/// stage.
 struct ChangedEntry
 {
   std::string entry;  ///< path in the scene
   std::string value;  ///< with its unit
-  std::string before; ///< value of the library, with its unit
+  std::string before; ///< value otherwise, with its unit
+  bool is_of_stage =
+    false; ///< the scene chooses the value, or the default holds
 };
 
 

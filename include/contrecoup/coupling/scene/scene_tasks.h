@@ -23,6 +23,13 @@ std::vector<SceneTask> make_tasks(const PlannedScene &scene,
                                   const dealii::ParameterHandler &prm,
                                   Collective &collective);
 
+/// Entries of the user that give a stage other values than it has without
+/// them. @throws InputError as task_text()
+std::vector<ChangedEntry> stage_changes(const PlannedScene &scene,
+                                        const io::CommandLine &command,
+                                        const dealii::ParameterHandler &prm,
+                                        Collective &collective);
+
 /// Shows which entries of the user have no effect on such a scene, and a
 /// reflection from a side of the user's domain that is too near.
 void warn_of_entries(const PlannedScene &scene,
