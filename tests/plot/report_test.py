@@ -970,6 +970,21 @@ class ReportTest(unittest.TestCase):
         self.assertEqual(verdict._lungs([mesh]).words, "lungs not judged")
         self.assertIsNone(verdict._lungs([]))
 
+    def test_lungs_by_the_tables(self):
+        """Where the tables have a load above the threshold, that is said."""
+        load = injury_table.Judged(
+            "lung_exposure_air", 0.107, "-", injury_thresholds.Known(
+                "load", [(0.2, "threshold of lung injury")], "", ""), None, "")
+
+        def found(known):
+            scene = types.SimpleNamespace(table_answer=lambda _: (known, None))
+            return str(verdict._by_tables(scene, [load],
+                                          verdict._lungs([load])))
+        self.assertIn("by the tables lung injury possible, load 0.210",
+                      found(0.21))
+        for known in (0.15, None):
+            self.assertNotIn("tables", found(known))
+
     def test_curves_of_head_injury_keep_their_order(self):
         """AIS 3 or worse includes AIS 4, where the fits cross, too."""
         chances = [injury_thresholds.probability(f"hic15_ais{level}", 8246.)

@@ -35,7 +35,8 @@ class Verdict:
 def verdicts(scene, judged):
     """All that the scene allows, in the order of the sentence."""
     return [found for found in (_life(scene, judged), _ears(scene, judged),
-                                _lungs(judged), _brain(judged)) if found]
+                                _by_tables(scene, judged, _lungs(judged)),
+                                _brain(judged)) if found]
 
 
 def sentence(found):
@@ -188,6 +189,20 @@ def _lungs(judged):
         f"chest wall velocity: {here}" if entry.is_own else \
         f"lung injury {here}"
     return Verdict("lungs", words, injury_table.severity(entry), detail, entry)
+
+
+def _by_tables(scene, judged, lungs):
+    """The verdict on lungs that are sound, with that of the tables where their
+    load in the open passes a threshold that the run's does not."""
+    load = injury_table.find(judged, "lung_exposure_air")
+    known = scene.table_answer("lung_exposure")[0]
+    if lungs is None or load is None or known is None or \
+            lungs.words != "no lung injury" or load.exceeded() or \
+            not load.exceeded(known):
+        return lungs
+    told = f"by the tables lung injury possible, load {page.number(known)}"
+    return Verdict(lungs.subject, lungs.words, "mid", "; ".join(
+        filter(None, (lungs.detail, told))), lungs.entry)
 
 
 def _brain(judged):
