@@ -56,6 +56,6 @@ def write_plane(path, fields, lower, upper, time=0., axes="xz"):
     write(path, f'<VTKFile type="ImageData">\n<ImageData WholeExtent="{whole}" '
           f'Origin="{words[0]}" Spacing="{words[1]}">\n<FieldData>\n'
           '<DataArray type="Float64" Name="TimeValue" NumberOfTuples="1" '
-          f'format="ascii">{time!r}</DataArray>\n</FieldData>\n'
+          f'format="ascii">{float(time)!r}</DataArray>\n</FieldData>\n'
           f'<Piece Extent="{whole}">\n<PointData>\n{head}</PointData>\n'
           "</Piece>\n</ImageData>\n", data)
