@@ -3,6 +3,8 @@
 
 set(CONTRECOUP_PROCESSOR native CACHE STRING
   "Processor to compile for, as -march names it; empty: any of its kind")
+option(CONTRECOUP_PACKAGE
+  "Build for a package of several processors, see package.cmake" OFF)
 option(CONTRECOUP_SANITIZE
   "Build with the address and undefined-behaviour sanitizers" OFF)
 
@@ -22,6 +24,10 @@ set(_common -Wall -Wextra -Wno-psabi ${_false_alarms} -U_FORTIFY_SOURCE
   -fPIC -fno-semantic-interposition)
 if(CONTRECOUP_PROCESSOR)
   list(APPEND _common -march=${CONTRECOUP_PROCESSOR})
+endif()
+if(CONTRECOUP_PACKAGE)
+  # Paths of this machine are of no use on others.
+  list(APPEND _common -ffile-prefix-map=${PROJECT_SOURCE_DIR}/=)
 endif()
 # The sanitized build is made from Release, against deal.II's release library:
 # Debug takes many times as long to compile and to run. The checks before each

@@ -5,6 +5,10 @@ include(CheckCXXSymbolExists)
 set(CONTRECOUP_LAYERS base materials numerics geometry io deal_ii gas solid mpm
   ale coupling study)
 set(_package ${CMAKE_INSTALL_LIBDIR}/cmake/Contrecoup)
+set(_targets ${_package})
+if(CONTRECOUP_PACKAGE)
+  string(APPEND _targets /${CONTRECOUP_PROCESSOR})
+endif()
 
 # contrecoup: all layers, as other programs link them. Those must have lanes of
 # the library's width, which these flags give.
@@ -35,9 +39,10 @@ target_compile_options(contrecoup INTERFACE ${_lanes} -Wno-psabi)
 
 list(TRANSFORM CONTRECOUP_LAYERS PREPEND contrecoup_ OUTPUT_VARIABLE _libraries)
 install(TARGETS contrecoup ${_libraries} EXPORT ContrecoupTargets
-  LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  LIBRARY DESTINATION ${CONTRECOUP_LIBRARY_FOLDER}
+    COMPONENT libraries NAMELINK_COMPONENT development)
 install(EXPORT ContrecoupTargets NAMESPACE Contrecoup::
-  DESTINATION ${_package})
+  DESTINATION ${_targets} COMPONENT development)
 configure_package_config_file(source/cmake/ContrecoupConfig.cmake.in
   ${PROJECT_BINARY_DIR}/ContrecoupConfig.cmake INSTALL_DESTINATION ${_package})
 write_basic_package_version_file(
@@ -45,9 +50,10 @@ write_basic_package_version_file(
   COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/ContrecoupConfig.cmake
   ${PROJECT_BINARY_DIR}/ContrecoupConfigVersion.cmake
-  source/cmake/mold.cmake DESTINATION ${_package})
+  source/cmake/mold.cmake DESTINATION ${_package} COMPONENT development)
 install(DIRECTORY include/contrecoup ${PROJECT_BINARY_DIR}/include/contrecoup
-  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h")
+  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development
+  FILES_MATCHING PATTERN "*.h")
 
 install(TARGETS blast study anatomy biomechanics head_impact scene
   RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
@@ -58,4 +64,5 @@ install(FILES source/numerics/injury/injury_criteria.json
 install(DIRECTORY applications/schemas parameter_files
   DESTINATION share/contrecoup)
 install(FILES README.md LICENSE CHANGELOG.md DESTINATION share/doc/contrecoup)
-install(DIRECTORY applications/example DESTINATION share/doc/contrecoup)
+install(DIRECTORY applications/example DESTINATION share/doc/contrecoup
+  COMPONENT development)

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Contrecoup authors
-"""Runs tests/run and applications/quickstart with stand-ins for the programs
-that they call, and shows that builds, tests and ranks get every core."""
+"""Runs tests/run, applications/quickstart and applications/package with stand-ins for
+the programs that they call, and shows that builds, tests and ranks get every core."""
 
 import os
 import re
@@ -13,8 +13,8 @@ import unittest
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(
     os.path.abspath(__file__))))
-SCRIPTS = ("tests/run", "applications/quickstart", "applications/common.sh",
-           "source/cmake/debian_packages.txt")
+SCRIPTS = ("tests/run", "applications/quickstart", "applications/package",
+           "applications/common.sh", "source/cmake/debian_packages.txt")
 CORES = 3
 
 
@@ -34,7 +34,7 @@ class ScriptsTest(unittest.TestCase):
                    f'{CORES}}}}}"')
         self.write("dpkg-query", "printf installed")
         self.write("awk", "echo 1000")  # 6 GB of memory for each core
-        for name in ("cmake", "ctest", "apt-get", "sudo"):
+        for name in ("cmake", "cpack", "ctest", "apt-get", "sudo"):
             self.record(name)
         self.record("mpirun", f'while [ "$1" != --output ]; do shift; done; '
                     'mkdir -p "$2"; echo x >"$2/report.html"')
@@ -98,8 +98,24 @@ class ScriptsTest(unittest.TestCase):
                              f"-j {CORES} .*scene")
             self.assertRegex(self.call_of("mpirun", calls), f"-np {CORES} ")
 
+    def test_package_builds_for_each_processor_and_packs_then(self):
+        calls, _ = self.run_script("applications/package")
+        for processor in ("x86-64", "x86-64-v3", "x86-64-v4"):
+            (build,) = [call for call in calls if
+                        f"--build build-package/{processor} " in call]
+            self.assertIn(f" -j {CORES} ", build)
+            # The manual is what the programs print, which run on any machine.
+            self.assertEqual(" all," in build, processor == "x86-64", build)
+        self.assertTrue(calls[-1].startswith(
+            "cpack --config x86-64/CPackConfig.cmake"), calls)
+
+    def test_nothing_is_packed_that_was_not_built(self):
+        self.record("cmake", 'case "$*" in *--build*v3*) exit 1;; esac')
+        calls, _ = self.run_script("applications/package", expected=1)
+        self.assertFalse([call for call in calls if call.startswith("cpack")])
+
     def test_nproc_is_asked_in_one_place(self):
-        for name in SCRIPTS[:3]:
+        for name in SCRIPTS[:4]:
             with open(os.path.join(ROOT, name), encoding="utf-8") as file:
                 asked = re.findall(r"^[^#\n]*\bnproc\b.*$", file.read(), re.M)
             self.assertEqual(len(asked), name.endswith("common.sh"), asked)
