@@ -73,7 +73,8 @@ set(CPACK_DEBIAN_CONTRECOUP_PACKAGE_CONTROL_EXTRA
   ${PROJECT_SOURCE_DIR}/source/cmake/package/prerm)
 set(CPACK_DEBIAN_LIBCONTRECOUP-DEV_PACKAGE_NAME libcontrecoup-dev)
 set(CPACK_DEBIAN_LIBCONTRECOUP-DEV_PACKAGE_SECTION libdevel)
-set(CPACK_DEBIAN_LIBCONTRECOUP-DEV_PACKAGE_DEPENDS "contrecoup \
-(= ${CPACK_DEBIAN_PACKAGE_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE}), g++, cmake, libdeal.ii-dev, libassimp-dev, \
-libjemalloc-dev, libnifti-dev, nlohmann-json3-dev, zlib1g-dev")
+set(_release ${CPACK_DEBIAN_PACKAGE_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE})
+set(CPACK_DEBIAN_LIBCONTRECOUP-DEV_PACKAGE_DEPENDS "contrecoup (= ${_release}), \
+cmake, g++, libassimp-dev, libdeal.ii-dev, libjemalloc-dev, libnifti-dev, make, \
+nlohmann-json3-dev, zlib1g-dev")
 include(CPack)
