@@ -277,6 +277,30 @@ TEST_F(FileMeshes, HaveNumberedSides)
   expect_part("Side top: a mesh of kind file has no such side", refusal());
 }
 
+// Two cubes with nodes of their own; faces of number 9 are between them.
+TEST_F(FileMeshes, JoinCellsThatTouchAndKeepNumbersOfSides)
+{
+  std::string nodes;
+  for (int n = 0; n < 16; ++n)
+    nodes += std::to_string(n + 1) + " " + std::to_string(n / 8 + n % 2) + " " +
+             std::to_string(n / 2 % 2) + " " + std::to_string(n / 4 % 2) + "\n";
+  write("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n16\n" + nodes +
+        "$EndNodes\n$Elements\n5\n1 5 2 4 1 1 2 4 3 5 6 8 7\n"
+        "2 5 2 5 1 9 10 12 11 13 14 16 15\n3 3 2 7 1 1 3 7 5\n"
+        "4 3 2 9 1 2 4 8 6\n5 3 2 9 1 9 11 15 13\n$EndElements\n");
+  Mesh mesh;
+  const MeshDescription description = read(mesh);
+  EXPECT_EQ(mesh.n_used_vertices(), 12U);
+  EXPECT_EQ(description.file()->n_pieces(), 1U);
+  EXPECT_EQ(description.file()->boundaries(), std::set<unsigned int>{7});
+  for (const auto &face : mesh.active_face_iterators())
+    if (face->at_boundary())
+    {
+      EXPECT_EQ(face->boundary_id(),
+                face->center()[0] < 1e-9 ? FileMesh::boundary_id(7) : 0);
+    }
+}
+
 TEST_F(FileMeshes, TellPiecesThatTouchAtAnEdge)
 {
   Mesh mesh;

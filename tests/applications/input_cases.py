@@ -29,12 +29,16 @@ HEAD = "head_impact/quickstart.prm"
 BAR = "biomechanics/verification/bar_wave.prm"
 MPM = "head_impact/verification/two_disks.prm"
 ANATOMY = "anatomy/quickstart.prm"
+VORTEX = "blast/verification/mapped_vortex.prm"
 REST = "blast/extremes/rest_100000_steps.prm"
 # Where what is needed for a case lies, made by make_files().
 MISSING = "no_such_file"
 A_FOLDER = "a_folder"
 DUMP = "dump.prm"
 SHORT = "short"
+# Two cubes that touch, or do not; with "flat_" before the name two squares.
+TOUCHING = "touching.msh"
+APART = "apart.msh"
 OTHER = "other.prm"
 
 
@@ -378,6 +382,29 @@ def accepted():
            "nothing burns on")
 
 
+def own_meshes():
+    """Mesh files whose cells touch without common nodes, or not at all."""
+    region = "Region all/"
+    bodies = {
+        "anatomy": {"Body/Kind": "mesh", "Body/Mesh/File": "@MESH@",
+                    "Body/Mesh/Tissues": "1: brain"},
+        "biomechanics": {"Mesh/Kind": "file", "Mesh/File": "@MESH@",
+                         "Mesh/Tissues": "1: brain", "Time/End time": "1e-5"},
+        "head_impact": {"Mesh/Kind": "file", "Mesh/File": "@MESH@",
+                        region + "Layer": "any", region + "Material": "tissue",
+                        region + "Tissue": "brain", "Time/End time": "1e-5"}}
+    for name, said in (
+            (TOUCHING, " coincident nodes merged"),
+            (APART, ": the mesh is in 2 pieces that share no face; nothing "
+                    "passes from one to the other")):
+        yield (f"blast: {name}", "blast",
+               shipped(VORTEX, entry("Domain/Mesh file", "flat_" + name)), said)
+        for application, entries in bodies.items():
+            yield (f"{application}: {name}", application, "".join(
+                entry(path, value.replace("@MESH@", name))
+                for path, value in entries.items()).encode(), said)
+
+
 def thin_layers():
     """Layers thinner than an element, and what the program chose itself."""
     skin = entry("Body/Phantom/Skin thickness", "0.004")
@@ -471,6 +498,9 @@ def refused_studies():
             ("gauges.csv:chest:peak", "has no output")):
         yield (column, "study", shipped(sod, entry("Study/Columns", column)),
                reason)
+    yield ("setting of what is varied", "study",
+           shipped(sod, entry("Study/Settings", "Domain/Coarse leaves=2")),
+           "has no effect, as")
 
 
 def refused_heads():
@@ -483,6 +513,27 @@ def warned_heads():
     return head_cases.warned(shipped, entry)
 
 
+def write_mesh(name, gap, dimension):
+    """A Gmsh file of two squares or cubes of 0.1 m with nodes of their own."""
+    corners = [(0, 0), (1, 0), (1, 1), (0, 1)]
+    if dimension == 3:
+        corners = [(*corner, z) for z in (0, 1) for corner in corners]
+    nodes = [[0.1 * x for x in corner] for corner in corners]
+    nodes += [[x + 0.1 + gap, *rest] for x, *rest in nodes]
+    lines = ["$MeshFormat", "2.2 0 8", "$EndMeshFormat", "$Nodes",
+             str(len(nodes))]
+    for number, node in enumerate(nodes, 1):
+        lines.append(" ".join(map(str, [number, *node, 0.][:4])))
+    lines += ["$EndNodes", "$Elements", "2"]
+    for cell in (0, 1):
+        first = len(corners) * cell + 1
+        lines.append(" ".join(map(str, [
+            cell + 1, 2 * dimension - 1, 2, dimension - 2, 1,
+            *range(first, first + len(corners))])))
+    with open(os.path.join(FOLDER, name), "w", encoding="utf-8") as file:
+        file.write("\n".join([*lines, "$EndElements", ""]))
+
+
 def make_files():
     shutil.rmtree(FOLDER, ignore_errors=True)
     os.makedirs(os.path.join(FOLDER, A_FOLDER))
@@ -491,6 +542,9 @@ def make_files():
     for name in (OTHER, "other.stl", "other.ply"):
         with open(os.path.join(FOLDER, name), "w") as file:
             file.write("set A = 1\n")
+    for name, gap in ((TOUCHING, 0.), (APART, 0.05)):
+        write_mesh("flat_" + name, gap, 2)
+        write_mesh(name, gap, 3)
 
 
 def run(program, arguments):
@@ -620,6 +674,7 @@ def main(programs, repository):
                               (unused, judge_acceptance),
                               (near_sides, judge_acceptance),
                               (thin_layers, judge_acceptance),
+                              (own_meshes, judge_acceptance),
                               (warned_heads, judge_acceptance)]:
         of_application = {}
         for case in cases():

@@ -277,6 +277,33 @@ TEST(CoarseMesh, MeshFilesAreRead)
 }
 
 
+// Without common nodes the side between the cells would be a wall.
+TEST(CoarseMesh, CellsOfMeshFilesThatTouchAreJoined)
+{
+  const auto file = [](const double gap) {
+    const double x = 1. + gap;
+    return MeshFile({{0., 0.},
+                     {1., 0.},
+                     {1., 1.},
+                     {0., 1.},
+                     {x, 0.},
+                     {2., 0.},
+                     {2., 1.},
+                     {x, 1.}},
+                    {{{0, 1, 2, 3}}, {{4, 5, 6, 7}}});
+  };
+  const auto count_inner = [](const MeshFile &written) {
+    Triangulation<2> tria;
+    parse<2>(written.lines()).create(tria);
+    return std::count_if(tria.active_face_iterators().begin(),
+                         tria.active_face_iterators().end(),
+                         [](const auto &face) { return !face->at_boundary(); });
+  };
+  EXPECT_EQ(count_inner(file(1e-7)), 1);
+  EXPECT_EQ(count_inner(file(0.1)), 0);
+}
+
+
 TEST(CoarseMesh, InvertedCellsAreNamedWithTheirPlace)
 {
   // One corner of the second cell is pushed through its opposite side.

@@ -6,10 +6,12 @@
 #include <contrecoup/base/parameters/tissues.h>
 #include <contrecoup/base/system/coordinates.h>
 #include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/log.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/geometry/mesh/hex_quality.h>
 #include <contrecoup/geometry/mesh/mesh_file.h>
 #include <contrecoup/geometry/mesh/mesh_format.h>
+#include <contrecoup/geometry/mesh/mesh_pieces.h>
 #include <contrecoup/geometry/mesh/triangulation_hexes.h>
 
 #include <deal.II/grid/grid_tools.h>
@@ -28,35 +30,6 @@ namespace
   constexpr unsigned int vertex_of_corner[] = {0, 1, 3, 2, 4, 5, 7, 6};
 
   constexpr unsigned int no_piece = -1;
-
-  /// Number of the face-connected set of each cell.
-  std::vector<unsigned int> find_pieces(const Mesh &mesh)
-  {
-    std::vector<unsigned int> piece(mesh.n_cells(), no_piece);
-    std::vector<Mesh::active_cell_iterator> next;
-    unsigned int n_pieces = 0;
-    for (const auto &first : mesh.active_cell_iterators())
-    {
-      if (piece[first->index()] != no_piece)
-        continue;
-      piece[first->index()] = n_pieces;
-      next.push_back(first);
-      while (!next.empty())
-      {
-        const auto cell = next.back();
-        next.pop_back();
-        for (const unsigned int f : cell->face_indices())
-          if (!cell->at_boundary(f) &&
-              piece[cell->neighbor(f)->index()] == no_piece)
-          {
-            piece[cell->neighbor(f)->index()] = n_pieces;
-            next.push_back(cell->neighbor(f));
-          }
-      }
-      ++n_pieces;
-    }
-    return piece;
-  }
 
   /// Calls @p meet for each two sets of cells that share one of the numbered
   /// parts (vertices or edges).
@@ -133,7 +106,8 @@ const FileMesh::MeshStatistics &FileMesh::statistics() const
 
 void FileMesh::create(Mesh &mesh) const
 {
-  read_mesh_file(file_, "Mesh/File", mesh);
+  for (const std::string &line : read_mesh_file(file_, "Mesh/File", mesh))
+    log_line(line);
   auto found = std::make_shared<MeshStatistics>();
   measure_cells(mesh, *found);
   refuse_hanging_nodes(mesh);

@@ -13,6 +13,7 @@
 #include <contrecoup/coupling/application/anatomy_application.h>
 #include <contrecoup/coupling/application/anatomy_parameters.h>
 #include <contrecoup/coupling/application/body_report.h>
+#include <contrecoup/geometry/mesh/mesh_pieces.h>
 #include <contrecoup/geometry/mesh/stray_cells.h>
 #include <contrecoup/io/application/check_file.h>
 #include <contrecoup/io/file/checked_file.h>
@@ -146,10 +147,11 @@ namespace coupling
       /// enough for elements and yet in pieces.
       void warn_of_pieces(const BodyReport &report) const
       {
-        if (const unsigned int n = report.rows.back().components; n > 1)
-          log_line("WARNING: the body is in " + std::to_string(n) +
-                   " pieces of elements that share no face; biomechanics "
-                   "passes no load from one to the other");
+        // Hexahedra of one's own bring the warning as a remark.
+        if (const std::string line =
+              pieces_warning("the body", report.body().components);
+            !line.empty() && !body_->own_mesh())
+          log_line(line);
         for (const BodyLayer &layer : parameters_.layers)
           for (const ReportRow &row : report.rows)
             if (row.kind == "part" && row.components > 1 && !layer.is_usual &&

@@ -6,7 +6,6 @@
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/geometry/body/mesh_body.h>
 #include <contrecoup/geometry/mesh/cell_shapes.h>
-#include <contrecoup/geometry/mesh/coincident_nodes.h>
 #include <contrecoup/geometry/mesh/hex_quality.h>
 #include <contrecoup/geometry/mesh/mesh_file.h>
 #include <contrecoup/geometry/mesh/mesh_format.h>
@@ -220,9 +219,9 @@ BodyPointer MeshBodyDescription::create(const double scale) const
   const std::string entry = "Body/Mesh/File";
   const std::string where = entry + " = " + file_;
   dealii::Triangulation<3> triangulation;
-  read_mesh_file(file_, entry, triangulation);
+  const std::vector<std::string> lines =
+    read_mesh_file(file_, entry, triangulation);
   check_cell_shapes(triangulation, where);
-  const std::string merged = merge_coincident_nodes(triangulation, where);
   if (const auto place = find_hanging_vertex(triangulation))
     throw InputError(where + ": the node at (" + brief((*place)[0]) + ", " +
                      brief((*place)[1]) + ", " + brief((*place)[2]) +
@@ -250,8 +249,7 @@ BodyPointer MeshBodyDescription::create(const double scale) const
   remarks.insert(remarks.begin(),
                  "mesh of " + std::to_string(body->own_mesh()->cells.size()) +
                    " hexahedra of your own: " + join(parts, ", "));
-  if (!merged.empty())
-    remarks.push_back(merged);
+  remarks.insert(remarks.end(), lines.begin(), lines.end());
   if (worst < SmoothingOptions().smallest_scaled_jacobian)
     remarks.push_back("WARNING: " + where +
                       ": its worst hexahedron has a scaled Jacobian of " +

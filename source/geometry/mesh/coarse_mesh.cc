@@ -4,6 +4,7 @@
 #include <contrecoup/base/parameters/bounds.h>
 #include <contrecoup/base/parameters/used_with.h>
 #include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/log.h>
 #include <contrecoup/geometry/mesh/cell_shapes.h>
 #include <contrecoup/geometry/mesh/coarse_mesh.h>
 #include <contrecoup/geometry/mesh/mesh_file.h>
@@ -263,7 +264,9 @@ void CoarseMesh<dim>::create(dealii::Triangulation<dim> &triangulation) const
   if (kind_ == "cone")
     create_cone(triangulation);
   else if (kind_ == "file")
-    read_mesh_file(file_, "Domain/Mesh file", triangulation);
+    for (const std::string &line :
+         read_mesh_file(file_, "Domain/Mesh file", triangulation))
+      log_line(line);
   else
   {
     try

@@ -8,9 +8,9 @@
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/log.h>
 #include <contrecoup/base/system/text.h>
-#include <contrecoup/geometry/mesh/coincident_nodes.h>
 #include <contrecoup/geometry/mesh/hex_quality.h>
 #include <contrecoup/geometry/mesh/mesh_file.h>
+#include <contrecoup/geometry/mesh/mesh_pieces.h>
 #include <contrecoup/geometry/mesh/stray_cells.h>
 #include <contrecoup/geometry/mesh/triangulation_hexes.h>
 #include <contrecoup/solid/body/mesh_description.h>
@@ -179,6 +179,10 @@ HexMesh MeshDescription::from_body() const
   body->fill(grid);
   for (const std::string &line : join_strays(body->parts(), grid))
     log_line(line);
+  if (const std::string line =
+        pieces_warning("the body", count_components(grid)[LabelGrid::outside]);
+      !line.empty())
+    log_line(line);
   HexMesh mesh = make_hex_mesh(grid, body->parts(), levels_);
   if (smoothing_.iterations > 0)
     smooth(mesh, smoothing_);
@@ -196,11 +200,8 @@ HexMesh MeshDescription::from_triangulation() const
   std::vector<BodyPart> parts{{kind_, tissue_}};
   if (kind_ == "file")
   {
-    read_mesh_file(file_, "Mesh/File", mesh);
-    if (const std::string merged =
-          merge_coincident_nodes(mesh, "Mesh/File = " + file_);
-        !merged.empty())
-      log_line(merged);
+    for (const std::string &line : read_mesh_file(file_, "Mesh/File", mesh))
+      log_line(line);
     parts = groups_.assign(read_group_names(file_, 3), mesh);
     mesh.refine_global(refinements_);
   }

@@ -12,13 +12,15 @@ namespace contrecoup
 /**
  * Merges nodes of the surface that lie at the same place, as where mesh
  * programs write blocks one by one: cells on both sides of such a crack would
- * count as surface and pass through each other. Numbers of faces are lost if
- * nodes are merged.
- * @param mesh that is not refined, of cells that are not flat
- * @param where entry and file, for the error message
+ * count as surface, as a wall for gas, and pass through each other as solids.
+ * Faces that stay surface keep their numbers.
+ * @param mesh that is not refined; one with an edge of no length stays as it
+ * is, and so does a mesh in 1-D
+ * @param where entry and file, for messages
  * @returns a line for the log with the number of merged nodes; empty for none
  * @throws InputError when a face would belong to more than two cells
  */
-std::string merge_coincident_nodes(dealii::Triangulation<3> &mesh,
+template <int dim>
+std::string merge_coincident_nodes(dealii::Triangulation<dim> &mesh,
                                    const std::string &where);
 } // namespace contrecoup

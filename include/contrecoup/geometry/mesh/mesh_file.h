@@ -9,6 +9,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 namespace contrecoup
 {
@@ -16,17 +17,21 @@ namespace contrecoup
  * Reads a mesh of hexahedra or quadrilaterals with deal.II. The file name
  * extension determines the format (.msh, .inp, .ucd, .vtk, .unv); of .inp, the
  * content says whether it is UCD or Abaqus. The material id of a cell is the
- * number of its group.
+ * number of its group. Coincident nodes are merged, see
+ * merge_coincident_nodes().
  * @param path of the file, lengths in m
  * @param entry parameter with the path, for error messages
+ * @returns lines for the log: on merged nodes, and a warning of a mesh in
+ * pieces that share no face
  * @throws InputError when the file cannot be opened or read, is binary, has
  * cells of second order or other shapes, or claims more nodes or cells than it
- * has bytes; distorted cells are accepted
+ * has bytes, and for overlapping cells; distorted cells are accepted
  */
 template <int dim>
-void read_mesh_file(const std::string &path,
-                    const std::string &entry,
-                    dealii::Triangulation<dim> &mesh);
+[[nodiscard]] std::vector<std::string>
+read_mesh_file(const std::string &path,
+               const std::string &entry,
+               dealii::Triangulation<dim> &mesh);
 
 /**
  * Names of the physical groups of this dimension in a Gmsh file (.msh), or of
