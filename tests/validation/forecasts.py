@@ -55,6 +55,8 @@ BODY = ("Body/Image/File=@IMAGE@", "Body/Kind=image",
         "Body/Image/Labels=1: soft tissue; 2: brain")
 CASES = (
     Case("sod", "blast", "blast/verification/sod.prm", levels="3 1"),
+    Case("checkpoints", "blast", "blast/verification/sod.prm",
+         ("Output/Checkpoint every steps=20", "Output/Fields=false"), "3 1"),
     Case("tnt_1d", "blast", "blast/verification/tnt_detonation.prm",
          levels="3 1", cheap=False),
     Case("axisymmetric", "blast", "blast/verification/height_of_burst.prm",
@@ -132,11 +134,9 @@ def write_surface(build, folder, path):
 
 
 def bytes_in(folder):
-    """On disk, without checkpoints."""
+    """On disk."""
     return sum(os.path.getsize(os.path.join(here, name))
-               for here, _, names in os.walk(folder)
-               for name in names
-               if "checkpoint" not in os.path.relpath(here, folder).split("/"))
+               for here, _, names in os.walk(folder) for name in names)
 
 
 def found_in(folder):

@@ -94,6 +94,7 @@ namespace io
       const Trial &before, &last;
       double known;
       bool adapts; ///< whether the mesh of the last stage changes
+      const dealii::ParameterHandler &prm; ///< of the scene
 
       unsigned int gap() const
       {
@@ -128,18 +129,42 @@ namespace io
       }
     };
 
+    /// Bytes of what has values in each cell, for a mesh of @p cells.
+    double bytes_of_cells(const Trials &trials,
+                          double Trial::*bytes,
+                          const double cells)
+    {
+      const TrialStage &stage = trials.last.stages.back();
+      // Adaptation keeps parts that compress well.
+      return grow_with_cells(mean_cells(stage_like(trials.before, stage)),
+                             trials.before.*bytes,
+                             mean_cells(stage),
+                             trials.last.*bytes,
+                             cells,
+                             0.);
+    }
+
+    /// Number of checkpoints that a run of this cost leaves.
+    double count_checkpoints(const dealii::ParameterHandler &prm,
+                             const CostEstimate &cost)
+    {
+      constexpr double most_kept = 2.;
+      const std::vector<std::string> output{"Output"};
+      const double steps = prm.get_integer(output, "Checkpoint every steps");
+      const double minutes = prm.get_double(output, "Checkpoint every minutes");
+      double written = prm.get_bool(output, "Checkpoint at the end") ? 1. : 0.;
+      if (steps > 0.)
+        written += std::floor(cost.steps / steps);
+      if (minutes > 0.)
+        written += std::floor(cost.seconds / 60. / minutes);
+      return std::min(written, most_kept);
+    }
+
     /// Results on disk, without pictures [byte].
     double output_of(const Trials &trials, const double cells)
     {
-      const TrialStage &stage = trials.last.stages.back();
-      const double dimension = stage.dimension;
-      // Adaptation keeps parts of fields that compress well.
-      return grow_with_cells(mean_cells(stage_like(trials.before, stage)),
-                             trials.before.volume_bytes,
-                             mean_cells(stage),
-                             trials.last.volume_bytes,
-                             cells,
-                             0.) +
+      const double dimension = trials.last.stages.back().dimension;
+      return bytes_of_cells(trials, &Trial::volume_bytes, cells) +
              trials.last.plane_bytes +
              trials.grown(&Trial::surface_bytes, dimension - 1., dimension) +
              trials.grown(&Trial::table_bytes, 0., 1.) +
@@ -171,7 +196,10 @@ namespace io
       result.seconds += trials.grown(&Trial::setup_seconds, 0., dimension) +
                         trials.grown(&Trial::output_seconds, 0., dimension);
       if (!last.stages.empty())
-        result.output = output_of(trials, cells);
+        result.output =
+          output_of(trials, cells) +
+          count_checkpoints(trials.prm, result) *
+            bytes_of_cells(trials, &Trial::checkpoint_bytes, cells);
       return result;
     }
 
@@ -198,7 +226,8 @@ namespace io
     /// Uses the last two trials, or the only one; for memory also the first.
     CostEstimate extrapolate(const std::vector<Trial> &trials,
                              const double known,
-                             const bool adapts)
+                             const bool adapts,
+                             const dealii::ParameterHandler &prm)
     {
       Trial none;
       none.levels = trials.back().levels + 1;
@@ -206,7 +235,8 @@ namespace io
         extrapolate({trials.size() > 1 ? trials[trials.size() - 2] : none,
                      trials.back(),
                      known,
-                     adapts});
+                     adapts,
+                     prm});
       result.memory = extrapolate_memory(trials, result.cells);
       return result;
     }
@@ -362,7 +392,7 @@ namespace io
       const double before =
         trials.empty() ? 0. : trials.back().seconds - steady;
       trials.push_back(*trial);
-      result = extrapolate(trials, rough.cells, adapts);
+      result = extrapolate(trials, rough.cells, adapts, prm);
       spent += trial->seconds;
       const double most = std::pow(
         2., trial->stages.empty() ? 1. : trial->stages.back().dimension + 1.);

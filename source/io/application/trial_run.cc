@@ -179,13 +179,12 @@ namespace io
              text.compare(text.size() - end.size(), end.size(), end) == 0;
     }
 
-    /// Number of the trial that counts the bytes of a file; nullptr for
-    /// checkpoints.
+    /// Number of the trial that counts the bytes of a file.
     double Trial::*kind_of(const std::string &file)
     {
       const bool is_field = file.rfind("fields", 0) == 0;
       if (file.rfind("checkpoint", 0) == 0)
-        return nullptr;
+        return &Trial::checkpoint_bytes;
       if (is_field && (ends_with(file, ".vti") || ends_with(file, ".csv")))
         return &Trial::plane_bytes;
       if (ends_with(file, ".vtp") || file == "loads.h5")
@@ -213,11 +212,13 @@ namespace io
         const std::string file =
           entry.path().lexically_relative(folder).string();
         double Trial::*const kind = kind_of(file);
-        if (kind == nullptr || !entry.is_regular_file(ignored))
+        if (!entry.is_regular_file(ignored))
           continue;
-        const double factor = file.rfind("fields", 0) == 0  ? more / part
-                              : kind == &Trial::other_bytes ? 1.
-                                                            : 1. / part;
+        const bool is_once =
+          kind == &Trial::other_bytes || kind == &Trial::checkpoint_bytes;
+        const double factor = file.rfind("fields", 0) == 0 ? more / part
+                              : is_once                    ? 1.
+                                                           : 1. / part;
         trial.*kind += factor * static_cast<double>(entry.file_size(ignored));
       }
     }
@@ -246,8 +247,8 @@ namespace io
           *number /= part;
     }
 
-    /// Leaves out checkpoints and stops, and all but a few field outputs;
-    /// returns the ratio of wanted to remaining outputs.
+    /// Leaves out checkpoints on the way and stops, and all but a few field
+    /// outputs; returns the ratio of wanted to remaining outputs.
     double prepare(dealii::ParameterHandler &prm)
     {
       TimeParameters time;
@@ -271,19 +272,15 @@ namespace io
       return wanted > few ? (wanted + 1.) / (few + 1.) : 1.;
     }
 
-    /// Makes the simulation write pending results, as with each checkpoint, and
-    /// the description of recorded loads.
+    /// Writes a checkpoint, and pending results with it, and the description of
+    /// recorded loads.
     void save_results(const std::string &folder,
+                      const RunState &state,
                       Simulation &simulation,
+                      OutputFolder &output,
                       Collective &collective)
     {
-      const std::string checkpoint = folder + "/checkpoint";
-      collective.run([&]() {
-        if (dealii::Utilities::MPI::this_mpi_process(
-              collective.communicator()) == 0)
-          std::filesystem::create_directory(checkpoint);
-      });
-      simulation.save(checkpoint);
+      collective.run([&]() { output.write_checkpoint(state, simulation); });
       const std::string loads = folder + "/loads.h5";
       collective.run([&]() {
         if (dealii::Utilities::MPI::this_mpi_process(
@@ -352,7 +349,7 @@ namespace io
         loop.run(state);
         has_ended = true;
         output.flush();
-        save_results(folder, simulation, collective);
+        save_results(folder, state, simulation, output, collective);
         trial.other_bytes = finish(description.name, state, simulation, output);
         output.set_status("finished");
       }
@@ -367,7 +364,7 @@ namespace io
         if (!measured.is_too_long())
           throw;
         output.flush();
-        save_results(folder, simulation, collective);
+        save_results(folder, state, simulation, output, collective);
       }
       return measured.is_too_long()
                ? (measured.time() - begin) / (time.end_time - begin)

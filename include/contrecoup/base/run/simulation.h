@@ -44,7 +44,7 @@ struct CostEstimate
   double steps = 0.;    ///< time steps to the end time [-]
   double memory = 0.;   ///< peak memory, all ranks [byte]
   double seconds = 0.;  ///< wall time [s]
-  double output = 0.;   ///< results on disk, no checkpoints [byte]
+  double output = 0.;   ///< results and checkpoints on disk [byte]
 };
 
 /// A file of one field output.

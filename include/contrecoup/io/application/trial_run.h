@@ -31,14 +31,15 @@ namespace io
   {
     unsigned int levels = 0; ///< number of coarsenings
     std::vector<TrialStage> stages;
-    double setup_seconds = 0.;  ///< of all stages [s]
-    double output_seconds = 0.; ///< for field output [s]
-    double volume_bytes = 0.;   ///< of fields of all cells [byte]
-    double plane_bytes = 0.;    ///< of fields with a resolution of their own
-    double surface_bytes = 0.;  ///< of recorded loads and fields on a skin
-    double table_bytes = 0.;    ///< of tables with a row for steps [byte]
-    double other_bytes = 0.;    ///< of files as large for any mesh [byte]
-    double known_cells = 0.;    ///< initial cells by the solver's estimate
+    double setup_seconds = 0.;    ///< of all stages [s]
+    double output_seconds = 0.;   ///< for field output [s]
+    double volume_bytes = 0.;     ///< of fields of all cells [byte]
+    double plane_bytes = 0.;      ///< of fields with a resolution of their own
+    double surface_bytes = 0.;    ///< of recorded loads and fields on a skin
+    double table_bytes = 0.;      ///< of tables with a row for steps [byte]
+    double other_bytes = 0.;      ///< of files as large for any mesh [byte]
+    double checkpoint_bytes = 0.; ///< of one checkpoint [byte]
+    double known_cells = 0.;      ///< initial cells by the solver's estimate
     double unknowns_per_cell = 0.;
     double memory_per_cell = 0.; ///< by the solver's estimate [byte]
     double peak_memory = 0.;     ///< of all ranks [byte]
