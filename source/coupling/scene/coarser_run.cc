@@ -55,7 +55,18 @@ std::vector<Assignment> CoarserRun::blast(const dealii::ParameterHandler &prm)
     changes.push_back(change(
       "First stage/Cell size",
       exact(cell_ratio * std::stod(values.at("First stage/Cell size")))));
-  changes.push_back(change("Output/Fields", "false"));
+  // Planes of gauges come with the fields, and their areas have errors, too.
+  const std::vector<std::pair<std::string, std::string>> no_fields =
+    values.at("Probes/Gauge planes").empty()
+      ? std::vector<std::pair<std::string, std::string>>{{"Output/Fields",
+                                                          "false"}}
+      : std::vector<std::pair<std::string, std::string>>{
+          {"Output/Fields interval", "0"},
+          {"Output/Fields every steps", "0"},
+          {"Output/Volume fields", "false"},
+          {"Pictures/Planes", ""}};
+  for (const auto &[path, value] : no_fields)
+    changes.push_back(change(path, value));
   changes.push_back(change("Output/Pictures", "false"));
   return changes;
 }
