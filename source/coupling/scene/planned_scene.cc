@@ -107,6 +107,10 @@ void PlannedScene::require_measures() const
   std::vector<std::string> taken = injury_measures_of(kinds);
   if (has_chest && has_gauges)
     taken.emplace_back("injury_chest_wall_velocity_mesh");
+  // Of the wave beside the body, by which lungs are judged.
+  if (has_chest && !has_gauges && layout_->probe)
+    for (const char *const measure : {"lung_exposure_air", "lung_lethality"})
+      taken.emplace_back(measure);
   parameters_.own_thresholds.require(taken, "");
 }
 
