@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 
 using namespace contrecoup;
 using dealii::Point;
@@ -123,4 +124,49 @@ TEST(LoadAlignment, HalvesAreWholesWhenTheyAreMirrored)
     solid::measure_load_alignment(facets, ball, {{false, true, false}});
   EXPECT_NEAR(whole.offset[1], 0., 1e-12);
   EXPECT_NEAR(whole.distance, 0., 1e-12);
+}
+
+
+// The file says of which symmetry its loads are; a body that is on one side of
+// the plane itself needs no mirrored loads.
+TEST(LoadAlignment, MirrorFollowsTheSymmetryOfTheRecord)
+{
+  const std::string path = "load_symmetry.h5";
+  const auto refusal = [&](const std::array<bool, 3> &mirrored,
+                           const double lower) -> std::string {
+    try
+    {
+      solid::require_mirror(
+        io::LoadReader(path),
+        mirrored,
+        {{Point<3>(-1., lower, -1.), Point<3>(1., 1., 1.)}});
+    }
+    catch (const InputError &error)
+    {
+      return error.what();
+    }
+    return "";
+  };
+  const auto write = [&](const std::string &factors) {
+    io::LoadFile(path).create(facets_of_ball(true),
+                              {{"factors_to_whole_body", factors}});
+  };
+  write("2, 0, 2");
+  EXPECT_EQ(refusal({{false, true, false}}, -1.), "");
+  EXPECT_EQ(refusal({{false, false, false}}, -0.01), "");
+  EXPECT_EQ(refusal({{false, false, false}}, -1.),
+            "Loads/Recorded/Mirror = none: the loads were recorded on one side "
+            "of the plane of symmetry y = 0, and the body is on both; Mirror "
+            "must be y");
+  EXPECT_EQ(refusal({{true, true, false}}, -1.),
+            "Loads/Recorded/Mirror = x and y: the loads were recorded on both "
+            "sides of x = 0; Mirror must be y");
+  write("0, 0, 4");
+  EXPECT_NE(refusal({{true, false, false}}, -1.).find("must be x and y"),
+            std::string::npos);
+  write("1, 1, 1");
+  EXPECT_EQ(refusal({{false, false, false}}, -1.), "");
+  EXPECT_NE(refusal({{false, false, true}}, -1.).find("must be none"),
+            std::string::npos);
+  std::filesystem::remove(path);
 }

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/text.h>
 #include <contrecoup/io/file/file_format.h>
 #include <contrecoup/io/file/hdf5_input.h>
 #include <contrecoup/io/output/load_reader.h>
@@ -20,6 +21,20 @@ namespace io
   {
     /// Number of recorded samples in memory at once.
     constexpr std::size_t samples_at_once = 64;
+
+    /// By the factors from the recorded impulse to that of the whole body,
+    /// such as "2, 0, 2".
+    std::optional<std::array<bool, 3>> symmetry_of(const Hdf5Input &file)
+    {
+      const char *const name = "factors_to_whole_body";
+      if (!file.has_attribute(name))
+        return {};
+      const std::vector<std::string> factors = split(file.text(name), ',');
+      if (factors.size() != 3)
+        return {};
+      return std::array<bool, 3>{
+        {factors[0] == "0", factors[1] == "0", factors[2] == "0"}};
+    }
   } // namespace
 
 
@@ -34,6 +49,7 @@ namespace io
     facets_.normals = file.numbers("normal");
     facets_.areas = file.numbers("area");
     times_ = file.numbers("time");
+    symmetry_ = symmetry_of(file);
     const std::size_t n = 3 * facets_.areas.size();
     if (facets_.centroids.size() != n || facets_.normals.size() != n)
       throw InputError("\"" + path +

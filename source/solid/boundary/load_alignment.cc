@@ -114,6 +114,40 @@ LoadAlignment measure_load_alignment(const io::LoadFile::Facets &facets,
 }
 
 
+void require_mirror(const io::LoadReader &loads,
+                    const std::array<bool, 3> &mirrored,
+                    const dealii::BoundingBox<3> &box)
+{
+  if (!loads.symmetry())
+    return;
+  std::vector<std::string> recorded, asked;
+  std::string reason;
+  for (unsigned int d = 0; d < 3; ++d)
+  {
+    const std::string axis(1, "xyz"[d]);
+    const bool is_half = (*loads.symmetry())[d];
+    // Elements at a plane of symmetry may lie partly beyond it.
+    const double least = 0.05 * box.side_length(d);
+    const bool is_whole =
+      box.lower_bound(d) < -least && box.upper_bound(d) > least;
+    if (is_half)
+      recorded.push_back(axis);
+    if (mirrored[d])
+      asked.push_back(axis);
+    if (mirrored[d] && !is_half)
+      reason = "the loads were recorded on both sides of " + axis + " = 0";
+    else if (is_half && !mirrored[d] && is_whole)
+      reason = "the loads were recorded on one side of the plane of symmetry " +
+               axis + " = 0, and the body is on both";
+  }
+  if (!reason.empty())
+    throw InputError("Loads/Recorded/Mirror = " +
+                     (asked.empty() ? "none" : join(asked, " and ")) + ": " +
+                     reason + "; Mirror must be " +
+                     (recorded.empty() ? "none" : join(recorded, " and ")));
+}
+
+
 void check_load_alignment(ParameterHandler &prm)
 {
   std::string file;
@@ -134,8 +168,9 @@ void check_load_alignment(ParameterHandler &prm)
   const BodyPointer body = read_body(prm);
   if (!body)
     return;
-  const LoadAlignment alignment = measure_load_alignment(
-    io::LoadReader(file).facets(), *body->surface(), mirrored);
+  const io::LoadReader loads(file);
+  const LoadAlignment alignment =
+    measure_load_alignment(loads.facets(), *body->surface(), mirrored);
   if (!(alignment.distance <= largest_misfit * alignment.facet_edge) ||
       !(alignment.agreement > 0.))
     throw InputError("Loads/Recorded/File = \"" + file +
@@ -143,5 +178,6 @@ void check_load_alignment(ParameterHandler &prm)
                      text_of(alignment, largest_misfit) +
                      "; Body must be that of the blast, whose parameters.prm "
                      "has its Shift, Rotation and Scale");
+  require_mirror(loads, mirrored, body->surface()->bounding_box());
 }
 } // namespace contrecoup::solid

@@ -8,6 +8,7 @@
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/log.h>
 #include <contrecoup/base/system/text.h>
+#include <contrecoup/solid/boundary/load_alignment.h>
 #include <contrecoup/solid/boundary/recorded_loads.h>
 
 #include <deal.II/base/mpi.h>
@@ -63,6 +64,26 @@ namespace
   Point<3> point_at(const std::vector<double> &numbers, const std::size_t i)
   {
     return Point<3>(numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]);
+  }
+
+  /// Bounding box of the points of all ranks.
+  dealii::BoundingBox<3> box_of(const std::vector<Point<3>> &points,
+                                const MPI_Comm communicator)
+  {
+    constexpr double far = std::numeric_limits<double>::max();
+    Point<3> lower(far, far, far), upper(-far, -far, -far);
+    for (const Point<3> &point : points)
+      for (unsigned int d = 0; d < 3; ++d)
+      {
+        lower[d] = std::min(lower[d], point[d]);
+        upper[d] = std::max(upper[d], point[d]);
+      }
+    for (unsigned int d = 0; d < 3; ++d)
+    {
+      lower[d] = dealii::Utilities::MPI::min(lower[d], communicator);
+      upper[d] = dealii::Utilities::MPI::max(upper[d], communicator);
+    }
+    return {{lower, upper}};
   }
 } // namespace
 
@@ -154,6 +175,7 @@ void RecordedLoads::reinit(const std::vector<Point<3>> &middles,
   communicator_ = communicator;
   middles_ = middles;
   areas_ = areas;
+  require_mirror(*reader_, mirrored_, box_of(middles, communicator));
   const io::LoadFile::Facets &facets = reader_->facets();
   std::vector<Point<3>> places;
   Tensor<1, 3> side;

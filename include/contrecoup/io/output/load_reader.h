@@ -5,6 +5,8 @@
 
 #include <contrecoup/io/output/load_file.h>
 
+#include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -41,6 +43,13 @@ namespace io
       return facets_.areas.size();
     }
 
+    /// Directions normal to the planes of symmetry on one side of which loads
+    /// were recorded; nothing where the file does not say.
+    const std::optional<std::array<bool, 3>> &symmetry() const
+    {
+      return symmetry_;
+    }
+
     /// End times of the samples, which are means over intervals [s].
     const std::vector<double> &times() const
     {
@@ -72,6 +81,7 @@ namespace io
 
     std::string path_;
     LoadFile::Facets facets_;
+    std::optional<std::array<bool, 3>> symmetry_;
     std::vector<double> times_;
     std::vector<Group> groups_;     ///< empty: samples as recorded
     std::vector<double> durations_; ///< of recorded samples [s]

@@ -5,6 +5,7 @@
 
 #include <contrecoup/geometry/shape/shape.h>
 #include <contrecoup/io/output/load_file.h>
+#include <contrecoup/io/output/load_reader.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -31,10 +32,21 @@ LoadAlignment measure_load_alignment(const io::LoadFile::Facets &facets,
                                      const std::array<bool, 3> &mirrored);
 
 /**
+ * Requires that loads of one side of a plane of symmetry reach both sides of a
+ * body, and no others are mirrored.
+ * @param box of the body or its surface
+ * @throws InputError for a Loads/Recorded/Mirror that contradicts what the file
+ * says of its symmetry
+ */
+void require_mirror(const io::LoadReader &loads,
+                    const std::array<bool, 3> &mirrored,
+                    const dealii::BoundingBox<3> &box);
+
+/**
  * Checks before meshing that recorded loads (subsection "Loads/Recorded") fit
  * the surface of the body to mesh (Mesh/Kind = body). Does nothing without
  * recorded loads or such a body.
- * @throws InputError that states the misfit
+ * @throws InputError that states the misfit, and as require_mirror()
  */
 void check_load_alignment(dealii::ParameterHandler &prm);
 } // namespace contrecoup::solid
