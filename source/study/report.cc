@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <sstream>
@@ -174,6 +175,31 @@ namespace
                 row.outcome.kind + ", " + one_line(row.outcome.reason) + "\n";
     return text;
   }
+  /// List of the warnings of the runs, each once, with the runs that have it.
+  std::string warnings_of(const StudyResult &result)
+  {
+    constexpr std::size_t most = 40;
+    std::vector<std::pair<std::string, std::vector<std::string>>> found;
+    for (const ResultRow &row : result.rows)
+      for (const std::string &warning : row.record.warnings)
+      {
+        auto place =
+          std::find_if(found.begin(), found.end(), [&](const auto &one) {
+            return one.first == warning;
+          });
+        if (place == found.end())
+          place = found.insert(found.end(), {warning, {}});
+        place->second.push_back(join(row.variant.labels, ", "));
+      }
+    std::string text;
+    for (std::size_t i = 0; i < std::min(most, found.size()); ++i)
+      text += "- " + join(found[i].second, "; ") + ": " +
+              one_line(found[i].first) + "\n";
+    if (found.size() > most)
+      text += "- " + std::to_string(found.size() - most) +
+              " more stand in log.txt of the runs\n";
+    return text;
+  }
 } // namespace
 
 std::string to_csv(const StudyParameters &parameters, const StudyResult &result)
@@ -258,6 +284,8 @@ std::string to_markdown(const StudyParameters &parameters,
     out << "\nNot finished, " << result.n_unfinished() << " of "
         << result.rows.size() << ":\n\n"
         << failed;
+  if (const std::string warnings = warnings_of(result); !warnings.empty())
+    out << "\nWarnings of the runs:\n\n" << warnings;
   for (const std::string &remark : result.remarks)
     out << '\n' << remark << '\n';
   for (const std::string &line : recommendation(parameters, result))

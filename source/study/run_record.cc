@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace contrecoup::study
@@ -33,6 +34,16 @@ namespace
     return value.is_string() ? value.get<std::string>() : "";
   }
 
+  /// Adds the warnings of a summary or of scene.json that are not known yet.
+  void add_warnings(const Json &summary, RunRecord &record)
+  {
+    for (const Json &warning : member(summary, "warnings"))
+      if (warning.is_string() &&
+          std::find(record.warnings.begin(), record.warnings.end(), warning) ==
+            record.warnings.end())
+        record.warnings.push_back(warning);
+  }
+
   RunRecord of_summary(const Json &summary)
   {
     const Json &performance = member(summary, "performance");
@@ -47,6 +58,7 @@ namespace
     record.core_seconds = number(performance, "core_seconds");
     record.updates = number(performance, "updates");
     record.memory = number(performance, "peak_memory_bytes");
+    add_warnings(summary, record);
     return record;
   }
 
@@ -60,9 +72,13 @@ namespace
   void
   add_stage(const std::string &folder, const Json &stage, RunRecord &record)
   {
-    const RunRecord own = of_summary(
+    const Json summary =
       read_json(folder + "/" + text(stage, "folder") + "/summary.json",
-                io::formats::summary));
+                io::formats::summary);
+    const RunRecord own = of_summary(summary);
+    // A coarser run warns of what its larger cells and elements do.
+    if (text(stage, "name").rfind("coarser_", 0) != 0)
+      add_warnings(summary, record);
     for (double RunRecord::*const value : {&RunRecord::cells,
                                            &RunRecord::unknowns,
                                            &RunRecord::steps,
@@ -89,6 +105,7 @@ RunRecord read_record(const std::string &folder)
   if (stages.is_array())
     for (const Json &stage : stages)
       add_stage(folder, stage, record);
+  add_warnings(scene, record);
   return record;
 }
 } // namespace contrecoup::study

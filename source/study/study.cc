@@ -347,6 +347,10 @@ void Study::write_results(const std::string &status, const double seconds)
              std::to_string(result.rows.size()) +
              " runs end before the positive phase does: what study.md marks "
              "with ≥ is a lower limit; a later end time gives all of it");
+  if (status == "finished" && result.n_warned() > 0)
+    log_line("WARNING: " + std::to_string(result.n_warned()) + " of " +
+             std::to_string(result.rows.size()) +
+             " runs have warnings, which study.md lists");
   write_text(path("study.csv"), to_csv(parameters_, result));
   write_text(path("study.md"), to_markdown(parameters_, result));
   write_text(path(marker), to_json(parameters_, result));

@@ -7,6 +7,7 @@
 #include <contrecoup/study/study.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 namespace contrecoup::study
@@ -25,7 +26,14 @@ namespace
 
   std::string from_to(const double least, const double most)
   {
-    return brief(least, 7) + (most > least ? " to " + brief(most, 7) : "");
+    return brief(std::round(least), 7) +
+           (most > least ? " to " + brief(std::round(most), 7) : "");
+  }
+
+  /// A figure in words; unknown if it is 0, as without trial runs.
+  std::string told(const double value, const std::string &words)
+  {
+    return value > 0. ? "about " + words : "unknown without trial runs";
   }
 } // namespace
 
@@ -95,26 +103,35 @@ void Study::print_costs(const std::vector<VariantForecast> &forecasts) const
   {
     const CostEstimate &cost = forecasts[i].report.cost;
     least_cells = std::min(least_cells, cost.cells);
-    log_line("  " + task_label(tasks_[i]) + ": " + brief(cost.cells, 7) +
-             " cells, about " + brief(cost.steps, 3) + " steps, " +
-             bytes(cost.memory) + " of memory, " + duration(cost.seconds) +
-             ", output " + bytes(cost.output));
+    log_line("  " + task_label(tasks_[i]) + ": cells " +
+             told(cost.cells, brief(std::round(cost.cells), 7)) + ", steps " +
+             told(cost.steps, brief(cost.steps, 3)) + ", memory " +
+             told(cost.memory, bytes(cost.memory)) + ", time " +
+             told(cost.seconds, duration(cost.seconds)) + ", output " +
+             told(cost.output, bytes(cost.output)));
   }
   const std::size_t slots = std::min<std::size_t>(
     std::max(1U, parameters_.cores / parameters_.ranks), tasks_.size());
   CostEstimate sum = sum_of(forecasts, slots);
-  sum.output += size_of_own_files();
+  if (sum.output > 0.)
+    sum.output += size_of_own_files();
   io::write_check_file({"study", sum, {}});
   show_line("all runs, " + std::to_string(slots) + " at once:");
-  show_line("  cells     " + from_to(least_cells, sum.cells));
-  show_line("  steps     about " + brief(sum.steps, 3) + " in all");
-  show_line("  memory    about " + bytes(sum.memory) + " for the largest run" +
-            (slots > 1
-               ? ", up to " + bytes(static_cast<double>(slots) * sum.memory) +
-                   " for those at once"
-               : ""));
-  show_line("  wall time about " + duration(sum.seconds));
-  show_line("  output    about " + bytes(sum.output) + " in " + folder_);
+  show_line("  cells     " +
+            (sum.cells > 0. ? from_to(least_cells, sum.cells) : told(0., "")));
+  // What has no steps, as anatomy, has a known time.
+  if (sum.steps > 0. || !(sum.seconds > 0.))
+    show_line("  steps     " +
+              told(sum.steps, brief(sum.steps, 3) + " in all"));
+  const double at_once = static_cast<double>(slots) * sum.memory;
+  show_line("  memory    " + told(sum.memory,
+                                  bytes(sum.memory) + " for the largest run" +
+                                    (slots > 1 ? ", up to " + bytes(at_once) +
+                                                   " for those at once"
+                                               : "")));
+  show_line("  wall time " + told(sum.seconds, duration(sum.seconds)));
+  show_line("  output    " + told(sum.output, bytes(sum.output)) + " in " +
+            folder_);
 }
 
 double Study::size_of_own_files() const

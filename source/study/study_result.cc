@@ -241,6 +241,14 @@ std::size_t StudyResult::n_cut_off() const
     }));
 }
 
+std::size_t StudyResult::n_warned() const
+{
+  return static_cast<std::size_t>(
+    std::count_if(rows.begin(), rows.end(), [](const ResultRow &row) {
+      return !row.record.warnings.empty();
+    }));
+}
+
 std::vector<std::string> StudyResult::empty_columns() const
 {
   std::vector<std::string> titles;

@@ -110,6 +110,19 @@ namespace
     return place == std::string::npos ? "" : address.substr(place);
   }
 
+  /// Whether two beginnings of addresses may be meant for one another: folders
+  /// and what follows them are equal or nearly so.
+  bool are_near(const std::string &asked, const std::string &begin)
+  {
+    const auto near = [](const std::string &a, const std::string &b) {
+      return a == b || !nearest(a, {b}).empty();
+    };
+    const std::size_t first = asked.rfind('/') + 1;
+    const std::size_t second = begin.rfind('/') + 1;
+    return near(asked.substr(0, first), begin.substr(0, second)) &&
+           near(asked.substr(first), begin.substr(second));
+  }
+
   /// Patterns, of tables their names alone, each once.
   std::vector<std::string>
   brief_patterns(const std::vector<std::string> &outputs)
@@ -181,6 +194,16 @@ CostEstimate sum_of(const std::vector<VariantForecast> &forecasts,
     *std::min_element(busy_until.begin(), busy_until.end()) += cost.seconds;
   }
   sum.seconds = *std::max_element(busy_until.begin(), busy_until.end());
+  // What is unknown of one is unknown of all.
+  for (double CostEstimate::*figure : {&CostEstimate::cells,
+                                       &CostEstimate::unknowns,
+                                       &CostEstimate::steps,
+                                       &CostEstimate::memory,
+                                       &CostEstimate::seconds,
+                                       &CostEstimate::output})
+    for (const VariantForecast &forecast : forecasts)
+      if (forecast.refusal.empty() && !(forecast.report.cost.*figure > 0.))
+        sum.*figure = 0.;
   return sum;
 }
 
@@ -193,7 +216,9 @@ bool can_have(const std::vector<std::string> &outputs,
       if (contains(output, ':') != contains(address, ':'))
         return false;
       if (address.find('*') == std::string::npos)
-        return fnmatch(output.c_str(), address.c_str(), 0) == 0;
+        return fnmatch(output.c_str(),
+                       address.c_str(),
+                       contains(address, ':') ? 0 : FNM_PATHNAME) == 0;
       // Two patterns can agree if what precedes their first "*" does.
       const std::string one = literal_begin(output);
       const std::string other = literal_begin(address);
@@ -208,9 +233,12 @@ std::string suggest_output(const std::vector<std::string> &outputs,
   for (const std::string &output : outputs)
   {
     const std::string begin = literal_begin(output);
-    const std::string candidate =
-      begin + (contains(output, '*') ? end_after(begin, address) : "");
-    if (can_have({output}, candidate))
+    const std::string end =
+      contains(output, '*') ? end_after(begin, address) : "";
+    const std::string candidate = begin + end;
+    // Any end is possible behind a beginning that is another one.
+    const std::string asked = address.substr(0, address.size() - end.size());
+    if (can_have({output}, candidate) && are_near(asked, begin))
       candidates.push_back(candidate);
   }
   const std::string best = suggest_address(address, candidates);

@@ -150,6 +150,7 @@ TEST(Plan, SumsWhatIsKnownOfAllStages)
 {
   CostEstimate mesh, blast, drawing;
   mesh.memory = 2e8;
+  mesh.cells = 1000.;
   mesh.seconds = mesh.output = 1.;
   blast.memory = 7e8;
   blast.seconds = blast.output = 20.;
@@ -157,9 +158,11 @@ TEST(Plan, SumsWhatIsKnownOfAllStages)
   const auto total =
     total_of({{"anatomy", mesh}, {"blast", blast}, {"report", drawing}});
   EXPECT_EQ(total.memory, 7e8);
+  EXPECT_EQ(total.cells, 1000.);
   EXPECT_EQ(total.seconds, 33.);
   const auto unknown = total_of(
     {{"anatomy", mesh}, {"blast", CostEstimate()}, {"report", drawing}});
   EXPECT_EQ(unknown.memory, 0.);
+  EXPECT_EQ(unknown.cells, 0.);
   EXPECT_EQ(unknown.seconds, 0.);
 }

@@ -170,6 +170,20 @@ TEST_F(SceneFolder, HasTheSumsOfItsStages)
   EXPECT_TRUE(read_record(folder_.path() + "/none").status.empty());
 }
 
+TEST_F(SceneFolder, HasTheWarningsOfItsStages)
+{
+  write("scene.json", R"({"warnings": ["a", "of the scene"], "stages": [
+    {"name": "blast", "folder": "blast"},
+    {"name": "coarser_blast", "folder": "coarser_blast"},
+    {"name": "biomechanics", "folder": "biomechanics"}]})");
+  write("blast/summary.json", R"({"warnings": ["a", "b"]})");
+  write("coarser_blast/summary.json", R"({"warnings": ["coarse"]})");
+  write("biomechanics/summary.json", R"({"warnings": ["b", "c", 3]})");
+  const std::vector<std::string> expected{"a", "b", "c", "of the scene"};
+  EXPECT_EQ(read_record(folder_.path()).warnings, expected);
+  EXPECT_EQ(read_record(folder_.path() + "/blast").warnings.size(), 2u);
+}
+
 TEST_F(SceneFolder, FillsColumns)
 {
   const RunOutputs outputs(folder_.path());
@@ -258,6 +272,17 @@ TEST(VariantForecast, KnowsWhichOutputsArePossible)
               {"history.csv:arrival:*", "probes.csv:arrival:probe_1_pressure"},
               "probes.csv:arrival:pressure_1"),
             "; did you mean \"probes.csv:arrival:probe_1_pressure\"?");
+  // Any address below a stage that says nothing of its results is possible,
+  // and would be a poor advice.
+  const std::vector<std::string> stages = {
+    "anatomy/*", "anatomy/parts.csv:*", "blast/results.*"};
+  EXPECT_FALSE(can_have(stages, "anatomy/biomechanics/results.peak"));
+  for (const char *address :
+       {"biomechanics/results.injury_intracranial_pressure_peak",
+        "blast/gauge_measures.csv:chest:peak"})
+    EXPECT_EQ(suggest_output(stages, address),
+              "; it has anatomy/*, anatomy/parts.csv:*, blast/results.*")
+      << address;
   EXPECT_EQ(suggest_output(outputs, "something quite different"),
             "; it has results.*, gauges.csv:*, blast/results.*, history.csv:*, "
             "measures.csv:*");
@@ -270,13 +295,22 @@ TEST(VariantForecast, AddsTheCostsOfRunsAtOnce)
   {
     CostEstimate &cost = forecasts[i].report.cost;
     cost.steps = 10.;
-    cost.memory = 100. * static_cast<double>(i);
+    cost.memory = 100. * static_cast<double>(i + 1);
     cost.seconds = 2.;
     cost.output = 5.;
   }
   const CostEstimate sum = sum_of(forecasts, 2);
   EXPECT_EQ(sum.steps, 30.);
-  EXPECT_EQ(sum.memory, 200.);
+  EXPECT_EQ(sum.memory, 300.);
   EXPECT_EQ(sum.seconds, 4.);
   EXPECT_EQ(sum.output, 15.);
+  // Trial runs alone know some figures; those of a refused run do not matter.
+  forecasts[1].report.cost.memory = forecasts[1].report.cost.seconds = 0.;
+  forecasts[2].report.cost = CostEstimate();
+  forecasts[2].refusal = "too coarse";
+  const CostEstimate partial = sum_of(forecasts, 2);
+  EXPECT_EQ(partial.memory, 0.);
+  EXPECT_EQ(partial.seconds, 0.);
+  EXPECT_EQ(partial.steps, 20.);
+  EXPECT_EQ(partial.output, 10.);
 }

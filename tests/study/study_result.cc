@@ -111,6 +111,28 @@ TEST_F(FinishedStudy, LeavesOutWhatFailed)
             std::string::npos);
 }
 
+TEST_F(FinishedStudy, ListsWarningsOfRuns)
+{
+  read({"Error/Wanted error=0.1"});
+  StudyResult result = evaluate(parameters_, tasks_);
+  EXPECT_EQ(result.n_warned(), 0u);
+  EXPECT_EQ(to_markdown(parameters_, result).find("Warnings"),
+            std::string::npos);
+  result.rows[0].record.warnings = {"coarse", "long"};
+  result.rows[2].record.warnings = {"long"};
+  EXPECT_EQ(result.n_warned(), 2u);
+  const std::string text = to_markdown(parameters_, result);
+  const auto labels = [&](const std::size_t row) {
+    return result.rows[row].variant.labels[0] + ", " +
+           result.rows[row].variant.labels[1];
+  };
+  EXPECT_NE(text.find("Warnings of the runs:\n\n- " + labels(0) +
+                      ": coarse\n- " + labels(0) + "; " + labels(2) +
+                      ": long\n"),
+            std::string::npos)
+    << text;
+}
+
 TEST_F(FinishedStudy, ExtrapolatesWithinEachSeries)
 {
   read({"Error/Kind=self convergence", "Error/Name=value"});

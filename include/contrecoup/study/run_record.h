@@ -5,6 +5,7 @@
 
 #include <limits>
 #include <string>
+#include <vector>
 
 namespace contrecoup::study
 {
@@ -24,7 +25,8 @@ struct RunRecord
   double wall_seconds = unknown; ///< [s]
   double core_seconds = unknown;
   double updates = unknown;
-  double memory = unknown; ///< [byte]
+  double memory = unknown;           ///< [byte]
+  std::vector<std::string> warnings; ///< each once; of scenes of all stages
 };
 
 /// Reads the record of the run in @p folder from its summary.json, or from

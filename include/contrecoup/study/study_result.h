@@ -46,6 +46,8 @@ struct StudyResult
   std::size_t n_unfinished() const;
   /// Number of runs of which a column is a lower limit.
   std::size_t n_cut_off() const;
+  /// Number of runs with warnings.
+  std::size_t n_warned() const;
   /// Titles of further columns that no run has.
   std::vector<std::string> empty_columns() const;
 };

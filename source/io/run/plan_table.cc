@@ -96,7 +96,11 @@ namespace io
     // A stage of known time and no memory, the drawing, needs less than others.
     for (const auto &[name, cost] : costs)
       if (!(cost.memory > 0.) && !(cost.seconds > 0.))
-        total.memory = 0.;
+      {
+        total.memory = total.steps = 0.;
+        if (!(cost.cells > 0.))
+          total.cells = total.unknowns = 0.;
+      }
     for (double CostEstimate::*figure :
          {&CostEstimate::seconds, &CostEstimate::output})
       for (const auto &[name, cost] : costs)
