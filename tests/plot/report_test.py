@@ -421,6 +421,24 @@ class ReportTest(unittest.TestCase):
             self.assertIn(absent, self.text)
             self.assertNotIn(absent, words)
 
+    def test_error_of_loads_alone(self):
+        """From both runs where no gauge stands on the skin, else unknown."""
+        scene = Scene(self.whole)
+        peak = float(scene.loads().measure("peak").max())
+        impulse = float(scene.loads().measure("impulse").max())
+        for factors, words in (
+                ((0.9, 1.), "kPa ± 16\u00a0%, its impulse"),
+                (None, "; numerical error unknown.")):
+            scene.coarser = None if factors is None else types.SimpleNamespace(
+                loads=lambda of=factors: types.SimpleNamespace(
+                    areas=[1.], measure=lambda name: np.array(
+                        [peak * of[0] if name == "peak" else impulse])))
+            self.assertIn(words.replace("± ", "±\u00a0"),
+                          headline._loads_alone(scene).replace(
+                              "\u00a0kPa", " kPa"))
+        self.assertEqual(error_estimate.of_skin(scene, "peak"),
+                         (None, peak, None))
+
     def test_name_of_an_explosive(self):
         """Of the library as it is written, of one's own as one wrote it."""
         scene = Scene(self.whole)
@@ -582,6 +600,26 @@ class ReportTest(unittest.TestCase):
                              text)
         self.assertEqual([html_page.counted(n, "verdict") for n in (0, 1, 13)],
                          ["no verdicts", "one verdict", "13 verdicts"])
+
+    def test_walls(self):
+        """Sides that reflect are named where the wave is told and judged, and
+        those that are open are not."""
+        folder = self.copy_without("blast/fields", "biomechanics/fields.pvd")
+        rows = [{"item": f"side_{side}", "decision": decision, "estimate": apart}
+                for side, decision, apart in (
+                    ("x_high", "wall at x = 0.64 m", "0.449 m"),
+                    ("y_high", "open at y = 2 m", "1.6 m"))]
+        change_json(folder, "scene.json", lambda facts: facts.update(
+            plan=rows + facts.get("plan", [])))
+        text = text_of(Made(folder).page)
+        self.expect(text, "above the ground. The domain has a wall at x = 0.64 m, "
+                    "0.449 m from the body.", "The blast comes back from the wall "
+                    "at x = 0.64 m, 0.449 m from the body: verdicts on life and "
+                    "lungs", "side of the domain wall at x = 0.64 m",
+                    "without ground, body and walls", "body and walls add to "
+                    "impulse and duration")
+        self.assertNotIn("open at y", text)
+        self.assertNotIn("comes back from", self.text)
 
     def test_tables_without_a_probe(self):
         """Their answer stands alone where no probe is as far from the charge as
@@ -878,6 +916,7 @@ class ReportTest(unittest.TestCase):
             scene = types.SimpleNamespace(
                 charge_place=lambda: np.array([2.3, 0., height]),
                 probe_place=lambda _: np.array([0., 0., height]),
+                list_of=lambda _: [],
                 blast=types.SimpleNamespace(
                     found=lambda _, name: results[name]))
             self.assertEqual(reflections.reflectors(scene), words)

@@ -139,10 +139,8 @@ class Scene:
 
     def loads(self):
         """loads.h5, or None."""
-        path = self.blast.path("loads.h5")
-        if self._loads is None and os.path.exists(path):
-            with files.reading(path):
-                self._loads = loads.Loads(path)
+        if self._loads is None:
+            self._loads = read_loads(self.blast)
         return self._loads
 
     def asks_for_loads(self):
@@ -217,6 +215,10 @@ class CoarserRun:
     def __init__(self, blast, biomechanics):
         self.blast, self.biomechanics = blast, biomechanics
 
+    def loads(self):
+        """As Scene.loads()."""
+        return read_loads(self.blast)
+
     def gauge_measures(self):
         """As Scene.gauge_measures()."""
         return read_gauge_measures(self.blast)
@@ -248,6 +250,15 @@ def read_gauge_planes(blast):
             quantity = cuts[0].quantity
             groups.setdefault(name[:-len(quantity)], {})[quantity] = cuts[0]
     return groups
+
+
+def read_loads(blast):
+    """loads.h5, or None."""
+    path = blast.path("loads.h5")
+    if not os.path.exists(path):
+        return None
+    with files.reading(path):
+        return loads.Loads(path)
 
 
 def read_gauge_measures(blast):

@@ -307,7 +307,9 @@ def _gauge_errors(scene, gauges):
     return page.table(
         ("place", "error of peak", "error of impulse",
          "error of positive phase"), rows,
-        "Numerical errors, estimated from the coarser run.", numbers=(1, 2, 3))
+        "Numerical errors, estimated from the coarser run. Errors of positive "
+        "phases can be several times as large where finer cells part a second "
+        "wave from the first.", numbers=(1, 2, 3))
 
 
 def resultant(scene):

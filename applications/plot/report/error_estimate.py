@@ -86,13 +86,35 @@ def of_result(scene, name):
                * abs(values[0] / values[1] - 1.)) if all(values) else None
 
 
+def of_skin(scene, name):
+    """Largest value of a measure of the loads over the skin, in the coarser run
+    and in this one, and its relative error; None for what is unknown."""
+    values = [None if known is None or not len(known.areas) else
+              float(known.measure(name).max()) for known in (
+                  scene.coarser and scene.coarser.loads(), scene.loads())]
+    return (*values, max(LEAST, factor(scene, "lung_")[0]
+                         * abs(values[0] / values[1] - 1.))
+            if all(values) else None)
+
+
+def _rows_of_skin(scene):
+    """Rows of section() for scenes that end with the loads."""
+    for name, unit, title in (
+            ("peak", "Pa", "largest overpressure on the skin"),
+            ("impulse", "Pa s", "largest impulse on the skin")):
+        coarser, value, found = of_skin(scene, name)
+        if found is not None:
+            yield (title, page.quantity(coarser, unit),
+                   page.quantity(value, unit), page.error(found))
+
+
 def section(scene, judged):
     """The measures of both runs; None without a coarser run."""
     if scene.coarser is None:
         return page.paragraph(
             "The numerical error of this scene is unknown: it has no finished "
             "coarser run (Scene/Error estimate).")
-    rows = []
+    rows = list(_rows_of_skin(scene)) if scene.asks_for_loads() else []
     for entry in judged:
         if entry.error is None:
             continue

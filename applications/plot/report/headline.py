@@ -8,8 +8,8 @@ import re
 from plot.analysis import person
 from plot.readers import files
 from plot.readers.scene import COARSER
-from plot.report import (injury_table, load_impulses, page, reflections,
-                         verdict)
+from plot.report import (error_estimate, injury_table, load_impulses, page,
+                         reflections, verdict)
 from plot.report.energy_audit import EnergyAudit
 from plot.report.injury_thresholds import KNOWN, of_run
 
@@ -50,6 +50,8 @@ class Lead:
             row.get("name") in LUNGS for row in _rows(scene)) else (
                 f"; lungs of a person of {page.given(float(f'{mass:.3g}'), 'kg')}")
         self.reflections = reflections.note(scene)
+        self.left_out = "ground, body and walls" if reflections.walls(scene) \
+            else "ground and body"
         self.file = _comparison_file(scene)
 
     def lines(self):
@@ -73,7 +75,7 @@ class Lead:
                                 "Bulmash, which do not cover this charge and "
                                 "distance")
         caption = ("Tables: Kingery and Bulmash for a bare charge in free air"
-                   f"{self.equivalence}, without ground and body"
+                   f"{self.equivalence}, without {self.left_out}"
                    f"{self.lungs}. ")
         if len(self.compared[0]) == 2:
             return page.table(
@@ -119,7 +121,9 @@ def _opening(scene):
         height = float(place[2])
     if height is not None:
         where += f", {page.given(height, 'm')} above the ground"
-    return f"{charge} detonates {where}."
+    walls = reflections.walls(scene)
+    return f"{charge} detonates {where}." + (
+        f" The domain has a {' and a '.join(walls)}." if walls else "")
 
 
 def _equivalence(scene):
@@ -208,10 +212,12 @@ def _loads_alone(scene):
     known = scene.loads()
     if known is None:
         return "The loads on the skin are unknown: loads.h5 is missing."
-    peak, impulse = (float(known.measure(name).max())
+    peak, impulse = (error_estimate.of_skin(scene, name)[1:]
                      for name in ("peak", "impulse"))
-    return (f"The overpressure on the skin reaches {page.quantity(peak, 'Pa')}, "
-            f"its impulse {page.quantity(impulse, 'Pa s')}.")
+    unsure = "; numerical error unknown" if None in (*peak, *impulse) else ""
+    return ("The overpressure on the skin reaches "
+            f"{_with_error(peak[0], 'Pa', False, peak[1])}, its impulse "
+            f"{_with_error(impulse[0], 'Pa s', False, impulse[1])}{unsure}.")
 
 
 def _certainty(scene, judged):
@@ -224,6 +230,7 @@ def _certainty(scene, judged):
             if injury_table.is_trunk_far(scene) else
             "No probe beside the body has the wave in the open: death")
             + " by lung injury follows from the reflected load on the skin.")
+    parts += _walls(scene, judged)
     parts += _tables(scene, judged) + _verdicts(scene, judged)
     parts += _afterburn(scene) + _model_bias(scene)
     parts += _loads(scene) + EnergyAudit(scene).reservations() + _limits(scene)
@@ -247,6 +254,17 @@ def _certainty(scene, judged):
         parts.append("The scene is not complete: " + page.joined(
             str(name) for name in failed) + " failed.")
     return parts
+
+
+def _walls(scene, judged):
+    """What walls do to verdicts by curves of a wave in the open."""
+    walls = reflections.walls(scene)
+    if not walls or not any(entry.name.startswith(("lung_", "chest_wall_"))
+                            for entry in judged):
+        return []
+    return [f"The blast comes back from the {' and from the '.join(walls)}: "
+            "verdicts on life and lungs are for a single wave and a person far "
+            "from walls; several waves may injure more."]
 
 
 def _tables(scene, judged):

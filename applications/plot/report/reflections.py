@@ -4,11 +4,28 @@
 
 import math
 
+from plot.report import page
 
-def reflectors(scene):
+
+def reflectors(scene, has_ground=True):
     """Words for what adds reflections to the positive phase at the first probe:
-    the ground, unless its reflection must come later, and the body."""
-    return "the body" if _ground_is_late(scene) else "ground and body"
+    the ground, unless its reflection must come later or has been named, the
+    body, and walls."""
+    found = ["ground"] if has_ground and not _ground_is_late(scene) else []
+    found += ["body"] + (["walls"] if walls(scene) else [])
+    return ("the " if len(found) == 1 else "") + page.joined(found)
+
+
+def walls(scene):
+    """Sides of the domain that reflect, by the user's choice, in words: "wall at
+    x = 0.64 m, 0.45 m from the body"."""
+    found = []
+    for row in scene.list_of("plan"):
+        words = str(row.get("decision"))
+        if str(row.get("item")).startswith("side_") and \
+                words.startswith(("wall", "symmetry")):
+            found.append(f"{words}, {row.get('estimate')} from the body")
+    return found
 
 
 def note(scene):
@@ -30,7 +47,9 @@ def _reflections(scene):
     if may_merge and not _ground_is_late(scene):
         return ("The wave at the probe may have merged with its reflection by "
                 "the ground, which raises peak and impulse and lets it arrive "
-                "earlier; reflections by the body add to impulse and duration.")
+                "earlier; reflections by "
+                f"{reflectors(scene, has_ground=False)} add to impulse and "
+                "duration.")
     return ("Peak and arrival at the probe are those of the incident wave; "
             f"reflections by {reflectors(scene)} add to impulse and duration.")
 

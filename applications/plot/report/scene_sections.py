@@ -57,6 +57,8 @@ def facts(scene):
     symmetry = scene.facts.get("symmetry")
     add("plane of symmetry", f"{symmetry} = 0" if symmetry in ("x", "y", "z")
         else symmetry)
+    for wall in reflections.walls(scene):
+        add("side of the domain", wall)
     if scene.fact("end_time") is not None:
         add("end of the run", page.Rounded(
             page.given(1e3 * scene.fact("end_time"), "ms"),
