@@ -14,7 +14,10 @@ function(contrecoup_add_layer name)
     LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/lib
     VERSION ${PROJECT_VERSION}
     SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
-  target_link_options(${target} PRIVATE -Wl,--no-undefined)
+  # clang links the sanitizers' run-time to programs alone.
+  if(NOT CONTRECOUP_SANITIZE)
+    target_link_options(${target} PRIVATE -Wl,--no-undefined)
+  endif()
   foreach(_lower ${ARG_DEPENDS})
     target_link_libraries(${target} contrecoup_${_lower})
   endforeach()
