@@ -227,6 +227,13 @@ def check(case, files):
         plan = out if len(files) == 1 else report_of(file, files, out)
         if file not in refused and " would " not in plan:
             raise Failed(f"--check printed no plan of {file}: {plan[-2000:]}")
+        # What a file chooses for itself is no reason for a warning.
+        coarse = [line for line in plan.splitlines()
+                  if line.startswith("WARNING: ") and (
+                      "thinner than the elements" in line
+                      or "see Scene/Cell size" in line)]
+        if coarse:
+            raise Failed(f"{file} warns of its own sizes: {coarse}")
         # Files for loads that another run records get them on the command line,
         # presets have entries for the choices of those that include them.
         unused = [line for line in plan.splitlines() if "set but not used" in line

@@ -7,7 +7,8 @@ set(_head scene/verification/head.prm)
 # published thresholds, is above the first one of the user.
 set(_scalp "Tissues/Tissue scalp")
 contrecoup_add_application_test(stages scene_run FILE ${_head} TIMEOUT 900
-  SET "Blast/Output/Fields interval=5e-4"
+  SET "Scene/Accuracy=fast" "Scene/Element size=0.004"
+  "Blast/Output/Fields interval=5e-4"
   "Biomechanics/Output/Fields interval=5e-4"
   "Body/Shape/Tissues=brain, cerebrospinal fluid, skeleton, scalp"
   "${_scalp}/Density=1000" "${_scalp}/Young's modulus=80e6"
@@ -23,6 +24,7 @@ contrecoup_add_application_test(stages scene_run FILE ${_head} TIMEOUT 900
 # The following tests check how a scene continues, not its accuracy: cells of 40
 # mm, a tenth of the work in the blast.
 set(_brief "Scene/Accuracy=first look" "Scene/Cell size=0.04"
+  "Scene/Element size=0.004"
   "Scene/Forecast=false"
   "Scene/Error estimate=false"
   "Scene/Report=false" "Anatomy/Output/Pictures=false")

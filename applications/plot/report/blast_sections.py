@@ -102,8 +102,9 @@ def _area(scene, maps, coarse, name, level):
         low, high = error_estimate.of_area(
             scene, found, injury_maps.area_above(coarse, name, level),
             injury_maps.area(maps))
-        words += (f" (by the numerics {page.number(low, 2)} to "
-                  f"{page.number(high, 2)} m²)")
+        low, high = (page.number(limit, 2) for limit in (low, high))
+        words += f" (by the numerics {low} to {high} m²)" \
+            if str(low) != str(high) else ""
     unknown = injury_maps.area_unknown(maps, name)
     return words + (f" (unknown on {page.number(unknown)} m²)"
                     if unknown > 0. else "")
