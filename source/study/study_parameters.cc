@@ -161,14 +161,7 @@ void StudyParameters::parse_parameters(ParameterHandler &prm)
                      " is more than Study/Cores = " + std::to_string(cores));
   bool refines = false;
   for (const Factor &factor : factors)
-  {
     refines = refines || factor.refinement != Refinement::none;
-    for (const auto &[entry, value] : settings)
-      if (std::count(factor.entries.begin(), factor.entries.end(), entry) > 0)
-        throw InputError("Study/Settings: \"" + entry + "=" + value +
-                         "\" has no effect, as \"Vary " + factor.name +
-                         "\" varies this entry");
-  }
   if (error.is_self_convergence() && !refines)
     throw InputError("Error/Kind = self convergence needs a subsection \"Vary "
                      "*\" with a Refinement");

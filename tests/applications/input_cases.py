@@ -498,9 +498,6 @@ def refused_studies():
             ("gauges.csv:chest:peak", "has no output")):
         yield (column, "study", shipped(sod, entry("Study/Columns", column)),
                reason)
-    yield ("setting of what is varied", "study",
-           shipped(sod, entry("Study/Settings", "Domain/Coarse leaves=2")),
-           "has no effect, as")
 
 
 def refused_heads():
