@@ -449,12 +449,16 @@ class ReportTest(unittest.TestCase):
             self.assertEqual(scene.explosive_name(), shown)
 
     def test_wave_that_has_merged(self):
-        """Of a low charge and of a high one, whose wave comes alone."""
-        for height, words in ((0.15, "may have merged"), (3., "those of the "
-                                                          "incident wave")):
+        """Of a low charge, unless the peak is lower than in free air, and of a
+        high one, whose wave comes alone."""
+        alone = "those of the incident wave"
+        for height, peak, words in ((0.15, 1.1, "may have merged"),
+                                    (0.15, 0.9, alone), (3., 1.1, alone)):
             scene = Scene(self.whole)
-            scene.facts.update(distance=1.46, height=height,
-                               charge_place=[1.46, 0., height])
+            scene.facts.update(
+                distance=1.46, height=height, charge_place=[1.46, 0., height],
+                table_comparison=[{"name": "peak_overpressure", "run": peak,
+                                   "tables": 1.}])
             self.assertIn(words, reflections.note(scene))
 
     def test_phase_that_the_end_cuts(self):
