@@ -17,6 +17,9 @@
 #include <contrecoup/io/output/summary.h>
 #include <contrecoup/io/run/plan_table.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace contrecoup
 {
 namespace io
@@ -107,11 +110,27 @@ namespace io
     for (const std::string &line : cost_lines({{description_.name, cost}}))
       show_line(line);
     collective_.run([&]() { plan_ = simulation_.plan(); });
+    complete_plan();
     // Of a part of a scene, which has a plan of its own, warnings are shown.
     for (const std::string &line : plan_lines(plan_))
       description_.on_cost_estimate ? log_line(line) : show_line(line);
     warn();
     show_line("The parameters are valid.");
+  }
+
+  void Run::complete_plan()
+  {
+    // A scene has a plan of its own.
+    if (description_.on_cost_estimate || !description_.coarsen ||
+        std::none_of(plan_.begin(), plan_.end(), [](const Assumption &item) {
+          return std::isnan(item.value) && std::isfinite(item.limit);
+        }))
+      return;
+    const auto coarse = coarse_plan(description_, prm_, collective_);
+    for (Assumption &item : plan_)
+      if (const Assumption *known = find_assumption(coarse, item.name);
+          known != nullptr && std::isnan(item.value))
+        item.value = known->value;
   }
 
   void Run::warn()

@@ -370,7 +370,49 @@ namespace io
                ? (measured.time() - begin) / (time.end_time - begin)
                : 1.;
     }
+
+    /// Sets up the scene with 2^@p levels times larger cells in @p coarse.
+    /// @throws InputError if it cannot be that coarse
+    void coarsen(const ApplicationDescription &description,
+                 const dealii::ParameterHandler &prm,
+                 const unsigned int levels,
+                 dealii::ParameterHandler &coarse)
+    {
+      TimeParameters::declare_parameters(coarse);
+      description.declare_parameters(coarse);
+      apply_assignments(contrecoup::assignments_of(prm), coarse);
+      if (levels > 0 && !description.coarsen(coarse, levels))
+        throw InputError("the scene cannot be so coarse");
+    }
   } // namespace
+
+  std::vector<Assumption> coarse_plan(const ApplicationDescription &description,
+                                      const dealii::ParameterHandler &prm,
+                                      Collective &collective)
+  {
+    const Silence silence;
+    // Most charges still have a few cells then.
+    constexpr unsigned int most_levels = 3;
+    std::vector<Assumption> plan;
+    for (unsigned int levels = most_levels; levels > 0 && plan.empty();
+         --levels)
+      try
+      {
+        collective.run([&]() {
+          dealii::ParameterHandler coarse;
+          coarsen(description, prm, levels, coarse);
+          const auto simulation =
+            description.create(coarse, collective.communicator());
+          simulation->setup();
+          plan = simulation->plan();
+        });
+      }
+      catch (const std::exception &)
+      {
+        // Finer cells may do.
+      }
+    return plan;
+  }
 
   std::optional<Trial> try_run(const ApplicationDescription &description,
                                const dealii::ParameterHandler &prm,
@@ -388,11 +430,7 @@ namespace io
     {
       collective.run([&]() {
         dealii::ParameterHandler coarse;
-        TimeParameters::declare_parameters(coarse);
-        description.declare_parameters(coarse);
-        apply_assignments(contrecoup::assignments_of(prm), coarse);
-        if (levels > 0 && !description.coarsen(coarse, levels))
-          throw InputError("the scene cannot be so coarse");
+        coarsen(description, prm, levels, coarse);
         outputs = prepare(coarse);
         const auto simulation = description.create(coarse, all);
         std::string path;

@@ -38,6 +38,8 @@ namespace io
   private:
     CostEstimate estimate();
     void write_check(const CostEstimate &cost);
+    /// Gives the plan what only an initial state tells, that of a coarse mesh.
+    void complete_plan();
     /// Shows which entries have no effect, and other oversights.
     void warn();
     void prepare();

@@ -70,6 +70,12 @@ namespace io
                                double longest,
                                Collective &collective);
 
+  /// The plan of the scene with cells 8 times as large, or fewer times if it
+  /// cannot be so coarse; empty if not at all. Collective.
+  std::vector<Assumption> coarse_plan(const ApplicationDescription &description,
+                                      const dealii::ParameterHandler &prm,
+                                      Collective &collective);
+
   /// Draws the pictures of a trial that came to its end as the run would,
   /// silently; returns the wall time [s] and the size [byte]. Collective.
   std::pair<double, double>
