@@ -14,7 +14,7 @@ struct Assignment
   std::vector<std::string> sections; ///< subsections, outermost first
   std::string entry;
   std::string value;
-  std::string origin;      ///< "\"file.prm\", line 7" or "--set"
+  std::string origin;      ///< "\"file.prm\", line 7[, included]" or "--set"
   std::string folder = {}; ///< of the parameter file; empty for --set
 };
 

@@ -42,8 +42,8 @@ std::string used_with(const std::string &condition,
 /**
  * Entries of @p assignments whose values in @p prm differ from the defaults
  * but are not used with the other choices there, as warnings, one for all
- * entries with the same reason, except what a later choice of another origin
- * ("--set", a file that includes theirs) leaves without effect:
+ * entries with the same reason, except what an included file sets, as presets
+ * do for choices of others, and what a later choice by "--set" leaves unused:
  * "WARNING: Body/Surface/File is set but not used: Body/Kind is phantom, not
  * surface".
  */
