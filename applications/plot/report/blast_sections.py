@@ -80,8 +80,9 @@ def people(scene):
                "areas is unknown")
             + "; far from the body cells are larger than at its skin. Grey: the "
             "blast has not arrived, the figure is not known, as within the "
-            "charge, or, of lungs, the blast is not over or not simple; among "
-            "the products of the explosive no curve was measured. Lungs"
+            "charge, or, of lungs, the blast is not over, not simple, or beside "
+            "the products of the explosive, where the duration is open; among "
+            "these no curve was measured. Lungs"
             f"{_mass_of_people(scene)} by side-on plus dynamic "
             f"pressure and positive phase ({KNOWN['lung_lethality'].source}), "
             f"eardrums by the peak ({KNOWN['ear_rupture'].source}); "

@@ -195,6 +195,17 @@ namespace
               injury_criterion("peak_overpressure").meaning(air.blast.peak));
     return rows;
   }
+
+
+  /// Whether the verdicts on lungs agree, under the least and the largest load.
+  bool say_the_same(const AirInjury &least, const AirInjury &largest)
+  {
+    const double threshold =
+      injury_criterion("lung_exposure_air").thresholds.front().first;
+    return largest.lung_lethality - least.lung_lethality < 0.1 &&
+           (least.lung_exposure > threshold) ==
+             (largest.lung_exposure > threshold);
+  }
 } // namespace
 
 
@@ -216,14 +227,15 @@ std::array<double, 5> air_injury_values(const AirBlast &air,
                              : air.total_impulse > 0.
                                ? air.blast.impulse / air.total_impulse
                                : 1.;
-  const AirInjury injury =
-    air_injury({air.blast.peak, air.exposure.duration(air.blast.duration)},
-               air.exposure.load,
-               air.ambient,
-               body_mass);
-  const bool is_over = !air.exposure.goes_on();
-  return {{is_over ? injury.lung_exposure : unknown,
-           is_over ? injury.lung_lethality : unknown,
+  const auto [shortest, longest] = air.exposure.durations(air.blast.duration);
+  const auto injury_of = [&](const double duration) {
+    return air_injury(
+      {air.blast.peak, duration}, air.exposure.load, air.ambient, body_mass);
+  };
+  const AirInjury least = injury_of(shortest), injury = injury_of(longest);
+  const bool is_known = !air.exposure.goes_on() && say_the_same(least, injury);
+  return {{is_known ? injury.lung_exposure : unknown,
+           is_known ? injury.lung_lethality : unknown,
            injury.eardrum_rupture,
            air.exposure.chest.largest_velocity,
            first_phase}};

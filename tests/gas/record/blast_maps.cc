@@ -132,7 +132,7 @@ TEST(ExposureRecord, LastsLongerAmongProducts)
 {
   // A phase of 40 us, another 0.1 ms after it has fallen below zero, and a last
   // one of no importance.
-  const auto duration = [](const double products) {
+  const auto durations = [](const double products) {
     ExposureRecord record;
     for (unsigned int i = 1; i <= 30; ++i)
     {
@@ -149,10 +149,15 @@ TEST(ExposureRecord, LastsLongerAmongProducts)
     }
     EXPECT_EQ(record.load, 5e6);
     EXPECT_NEAR(record.load_impulse, 300.1, 1e-9);
-    return record.duration(4e-5);
+    return record.durations(4e-5);
   };
-  EXPECT_EQ(duration(0.), 4e-5);
-  EXPECT_NEAR(duration(1.), 24e-5, 1e-12);
+  EXPECT_EQ(durations(0.), std::pair(4e-5, 4e-5));
+  const auto [least, largest] = durations(1.);
+  EXPECT_NEAR(least, 24e-5, 1e-12);
+  EXPECT_EQ(largest, least);
+  // Of a mixture with air, whose part of products is numerical, both are known.
+  for (const double trace : {2e-4, 0.5})
+    EXPECT_EQ(durations(trace), std::pair(4e-5, largest));
 }
 
 

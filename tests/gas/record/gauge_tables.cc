@@ -220,3 +220,36 @@ TEST(GaugeTables, TellWhatAWaveDoesToAPersonInTheAir)
   EXPECT_EQ(all[11][0] + " " + all[11][1], "peak_overpressure probe 2");
   EXPECT_EQ(all[11][4].find("above 4 psi"), std::string::npos);
 }
+
+
+// Diffusion decides how much of the products a place beside them gets: verdicts
+// stand where they do not depend on it.
+TEST(GaugeTables, KnowLungsBesideProductsWhereTheirDurationDecidesNothing)
+{
+  const auto lethality = [](const double peak,
+                            const double duration,
+                            const double products,
+                            const double lasting) {
+    AirBlast air{"", {peak, 300., 1e-3, duration}, 101325., {}, 320.};
+    air.exposure.load = standing_load(peak, 101325.);
+    air.exposure.products = products;
+    air.exposure.lasting = air.exposure.pressing = lasting;
+    air.exposure.load_impulse = 320.;
+    const auto values = air_injury_values(air, 70.);
+    EXPECT_EQ(std::isnan(values[0]), std::isnan(values[1]));
+    EXPECT_FALSE(std::isnan(values[2]));
+    return values[1];
+  };
+  // The duration is 0.8 or 10 ms: nobody dies, or everybody.
+  EXPECT_LT(lethality(0.7e6, 8e-4, 0., 1e-2), 1e-3);
+  EXPECT_GT(lethality(0.7e6, 8e-4, 0.99, 1e-2), 0.99);
+  for (const double mixture : {2e-4, 0.4, 0.6, 0.89})
+  {
+    EXPECT_TRUE(std::isnan(lethality(0.7e6, 8e-4, mixture, 1e-2))) << mixture;
+    // The same verdict by either.
+    EXPECT_GT(lethality(5e6, 2e-3, mixture, 1e-2), 0.99);
+    EXPECT_NEAR(lethality(0.7e6, 2e-3, mixture, 2e-3),
+                lethality(0.7e6, 2e-3, 0., 2e-3),
+                1e-12);
+  }
+}

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace contrecoup::gas
 {
@@ -22,7 +23,7 @@ namespace contrecoup::gas
  */
 struct ExposureRecord
 {
-  static constexpr unsigned int n_values = 11;
+  static constexpr unsigned int n_values = 12;
 
   /// Density that no shock in air reaches [kg/m^3].
   static constexpr double densest_air = 100.;
@@ -35,6 +36,7 @@ struct ExposureRecord
   double phase_impulse = 0.; ///< since the load last began to matter [Pa s]
   double elapsed = 0.;       ///< since the arrival [s]
   double lasting = 0.;       ///< end of the last notable phase so far [s]
+  double pressing = 0.;      ///< end of the last large phase so far [s]
 
   /// Adds overpressure and dynamic pressure [Pa] and the mass fraction of
   /// products at the end of a step [s].
@@ -54,22 +56,31 @@ struct ExposureRecord
     phase_impulse = now > harmless * ambient ? phase_impulse + now * step : 0.;
     if (presses_on())
       lasting = elapsed;
+    constexpr double large = 0.03;
+    if (phase_impulse > large * load_impulse)
+      pressing = elapsed;
   }
 
   /**
-   * Duration of the load for Bowen's curves [s]: the @p positive_phase of the
-   * overpressure. Among the products of an explosive, which overexpand, the
-   * overpressure soon falls below zero and rises again: its first phase lasts
-   * the shorter the nearer the charge, and by it people beside the charge would
-   * live. There the load lasts to the end of its last phase that has a notable
-   * part of its impulse, nearly as long as at the edge of the products, where
-   * the first phase has all of it. Then the probability of death falls with the
-   * distance (computed for six explosives with and without afterburn).
+   * Least and largest duration of the load for Bowen's curves [s]. Away from
+   * the products of an explosive both are the @p positive_phase of the
+   * overpressure. Among products, which overexpand, the overpressure soon falls
+   * below zero and rises again: its first phase lasts the shorter the nearer
+   * the charge, and by it people beside the charge would live. There the load
+   * lasts to the end of its last phase that has a large or at least a notable
+   * part of its impulse. Then the probability of death falls with the distance
+   * (computed for six explosives with and without afterburn). Where the gas was
+   * at most a mixture of products and air, of which numerical diffusion
+   * decides, each of these durations is possible.
    */
-  double duration(const double positive_phase) const
+  std::pair<double, double> durations(const double positive_phase) const
   {
-    return is_among_products() ? std::max(positive_phase, lasting)
-                               : positive_phase;
+    if (!is_among_products())
+      return {positive_phase, positive_phase};
+    constexpr double mixture = 0.9; // largest mass fraction
+    return {products > mixture ? std::max(positive_phase, pressing)
+                               : positive_phase,
+            std::max(positive_phase, lasting)};
   }
 
   /// Whether the present phase of the load has a notable part of its impulse.
@@ -79,10 +90,10 @@ struct ExposureRecord
     return phase_impulse > notable * load_impulse;
   }
 
-  /// Whether the products of an explosive have reached the place.
+  /// Whether a trace of the products of an explosive has reached the place.
   bool is_among_products() const
   {
-    return products > 0.5;
+    return products > 1e-4;
   }
 
   /// Whether the duration among products is not known yet.
