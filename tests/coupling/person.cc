@@ -46,7 +46,8 @@ Person person_by(const Lines &lines,
   for (const std::string &line : lines)
     assignments.push_back(parse_override(line));
   apply_assignments(assignments, prm);
-  return {prm, box_with_landmarks(), 58., charge};
+  const ShapeBody body = box_with_landmarks();
+  return {prm, body, body.surface()->bounding_box(), 58., charge};
 }
 } // namespace
 
@@ -107,6 +108,17 @@ TEST(Person, IsDescribedByStatureAndMass)
   EXPECT_FALSE(person_by({"Kind=shape"}).axes());
   EXPECT_TRUE(std::isnan(person_by({"Kind=shape"}).charge_azimuth()));
   EXPECT_EQ(person_by({"Kind=shape"}).side_to_charge(), "");
+}
+
+
+// However the body is turned.
+TEST(Person, OfImagesIsAsLongAsTheBody)
+{
+  for (const char *rotation : {"0, 0, 0", "0, 30, 0", "20, -45, 10"})
+    EXPECT_NEAR(
+      person_by({"Kind=image", std::string("Rotation=") + rotation}).length(),
+      1.8,
+      1e-12);
 }
 
 

@@ -43,6 +43,14 @@ TEST(BodyLayer, WarnsOfAThicknessOfTheUser)
             Lines{});
 }
 
+TEST(BodyLayer, OfASurfaceIsTheFluidOfItsOrgans)
+{
+  EXPECT_TRUE(layers_of({"Kind=surface"}).empty());
+  const auto layers = layers_of({"Kind=surface", "Surface/Organs=phantom"});
+  ASSERT_EQ(layers.size(), 1U);
+  EXPECT_EQ(layers[0].part, "cerebrospinal fluid");
+}
+
 TEST(BodyLayer, WarnsOfElementsThatTheUserMakesLarge)
 {
   const auto layers = layers_of({"Kind=shape", "Shape/Shape=layered head"});

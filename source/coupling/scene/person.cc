@@ -75,7 +75,7 @@ namespace
   }
 
 
-  /// Extent of a box along a direction, as far as its corners tell [m].
+  /// Extent of a box along a direction, as far as its sides tell [m].
   double extent(const dealii::BoundingBox<3> &box, const Tensor<1, 3> &up)
   {
     // Exact where the direction is that of an edge of the box.
@@ -89,6 +89,7 @@ namespace
 
 Person::Person(dealii::ParameterHandler &prm,
                const Body &body,
+               const dealii::BoundingBox<3> &unturned,
                const double mass,
                const Point<3> &charge)
   : kind_(prm.get("Kind"))
@@ -103,7 +104,9 @@ Person::Person(dealii::ParameterHandler &prm,
     axes_ = axes_by_rotation(Placement::read_rotation(prm));
   const auto box = body.surface()->bounding_box();
   to_charge_ = charge - box.center();
-  length_ = axes_ ? extent(box, axes_->up) : box.side_length(2);
+  const Placement rotation(1., Placement::read_rotation(prm), {});
+  length_ = axes_ ? extent(unturned, rotation.pull_back(Point<3>(axes_->up)))
+                  : box.side_length(2);
   if (kind_ == "phantom")
   {
     length_ = read_double(prm, "Scale");

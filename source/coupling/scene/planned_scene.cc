@@ -57,10 +57,13 @@ PlannedScene::PlannedScene(dealii::ParameterHandler &prm,
   }
   body_ = description_.create();
   require_parts(parameters_.own_tissues, *body_);
-  layout_.emplace(parameters_, *body_->surface());
+  layout_.emplace(parameters_,
+                  *body_->surface(),
+                  description_.unturned_box(),
+                  OwnGrid::find(wrote));
   if (const auto own = body_->own_mesh())
     parameters_.element_size = edge_of(*own);
-  parameters_.fit_elements(layout_->body);
+  parameters_.fit_elements(layout_->unturned);
   find_thin_layers(prm);
   find_body(prm);
   require_measures();
@@ -74,7 +77,7 @@ void PlannedScene::find_thin_layers(dealii::ParameterHandler &prm)
 {
   SceneParameters usual = parameters_;
   usual.element_size = 0.;
-  usual.fit_elements(layout_->body);
+  usual.fit_elements(layout_->unturned);
   if (parameters_.wants_injury())
     thin_layers_ = thin_layer_lines(read_layers(prm),
                                     parameters_.element_size,
@@ -132,7 +135,8 @@ void PlannedScene::find_body(dealii::ParameterHandler &prm)
     if (body_mass_ == 0.)
       throw InputError("no element of " + brief(1e3 * element_size, 3) +
                        " mm has its centre in the body");
-    person_.emplace(prm, *body_, body_mass_, layout_->charge);
+    person_.emplace(
+      prm, *body_, layout_->unturned, body_mass_, layout_->charge);
     if (parameters_.wants_injury())
       tissue_places_ = find_tissue_places(
         *body_, layout_->charge, person_->axes(), element_size);
@@ -169,7 +173,8 @@ void PlannedScene::print(const bool with_plan) const
     log_line("  the charge is " + person_->charge_in_words());
   if (parameters_.cell_size > layout_->cell_size() * (1. + 1e-9))
     show_line("  Scene/Cell size = " + brief(parameters_.cell_size) +
-              " m is an upper bound: cells are 160 mm over a power of two, " +
+              " m is an upper bound: cells are " +
+              brief(1e3 * layout_->cell_size(0)) + " mm over a power of two, " +
               brief(1e3 * layout_->cell_size()) + " mm");
   const std::string equivalence = equivalence_in_words(parameters_.explosive);
   show_line(layout_->is_far(parameters_)

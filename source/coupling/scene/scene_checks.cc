@@ -19,24 +19,6 @@ namespace
 {
   constexpr double round_off = 1e-6; // [m]
 
-  /// A point of the text; nothing if it is none, which the stage refuses.
-  std::optional<Point<3>> point_of(const std::string &text)
-  {
-    const std::vector<std::string> words = split(text, ',');
-    if (words.size() != 3)
-      return {};
-    Point<3> point;
-    for (unsigned int d = 0; d < 3; ++d)
-    {
-      char *end = nullptr;
-      point[d] = std::strtod(words[d].c_str(), &end);
-      if (words[d].empty() || *end != '\0')
-        return {};
-    }
-    return point;
-  }
-
-
   /// Points "x, y, z; x, y, z" of an entry.
   std::vector<Point<3>> points_of(const std::string &text)
   {

@@ -140,8 +140,7 @@ namespace
     unsigned int levels = 4;
     // The 2-D stage continues from the ground to the body or a side, if that
     // distance is worth a stage; it ends some subcells of the scene before.
-    const double front_cell = SceneLayout::leaf / SceneLayout::subcells /
-                              std::pow(2., layout.front_levels);
+    const double front_cell = layout.cell_size(layout.front_levels);
     const double free_distance =
       layout.unobstructed_distance() - 2. * front_cell - 4. * cell;
     const bool meets_ground_first = free_distance > 1.2 * layout.charge[2];

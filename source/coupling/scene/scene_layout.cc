@@ -76,8 +76,13 @@ namespace
 } // namespace
 
 
-SceneLayout::SceneLayout(const SceneParameters &scene, const Shape &surface)
+SceneLayout::SceneLayout(const SceneParameters &scene,
+                         const Shape &surface,
+                         const std::optional<dealii::BoundingBox<3>> &unturned,
+                         const OwnGrid &own)
   : body(surface.bounding_box())
+  , unturned(unturned.value_or(body))
+  , own_(own)
 {
   if (body.lower_bound(2) < -1e-6)
     throw InputError("Body: it reaches " + brief(-body.lower_bound(2)) +
@@ -88,7 +93,9 @@ SceneLayout::SceneLayout(const SceneParameters &scene, const Shape &surface)
   choose_levels(scene);
   check_charge(scene);
   find_symmetry(scene, surface);
-  place_probe();
+  // On the charge's side of the body.
+  const bool at_high = charge[1] >= body.lower_bound(1);
+  place_probe(at_high);
   const ExpectedBlast blast(scene.energy(), air_pressure, air_density);
   expect_front(scene, blast);
   const Point<3> image(charge[0], charge[1], -charge[2]);
@@ -101,6 +108,13 @@ SceneLayout::SceneLayout(const SceneParameters &scene, const Shape &surface)
                      " s: the blast reaches the body at " + brief(arrival) +
                      " s only");
   size_domain(scene, outward);
+  if (own_.has_domain())
+    take_domain(scene);
+  const dealii::BoundingBox<3> domain({lower, upper});
+  if (probe && !domain.point_inside(*probe))
+    place_probe(!at_high);
+  if (probe && !domain.point_inside(*probe))
+    probe.reset();
 }
 
 
@@ -157,6 +171,10 @@ void SceneLayout::choose_levels(const SceneParameters &scene)
 {
   positive_phase = scene.incident_wave().nearest_duration(distance);
   levels = scene.accuracy.levels;
+  // Leaves of the user may be larger than those of the presets.
+  const double largest = leaf / subcells / std::pow(2., levels);
+  while (cell_size() > largest * (1. + 1e-9))
+    ++levels;
   const unsigned int most = levels + max_extra_levels;
   const auto is_coarse = [&]() {
     return scene.cell_size > 0.
@@ -171,7 +189,7 @@ void SceneLayout::choose_levels(const SceneParameters &scene)
     ++levels;
   if (cells_across() < 1.)
     throw InputError(
-      "Body: its shortest side, " + brief(1e3 * cells_across() * cell_size()) +
+      "Body: its shortest side, " + brief(1e3 * shortest_side()) +
       " mm, is less than a cell of the gas, " + brief(1e3 * cell_size()) +
       " mm; check the unit of its file, or choose a smaller "
       "Scene/Cell size");
@@ -246,25 +264,30 @@ void SceneLayout::find_symmetry(const SceneParameters &scene,
     asymmetry = std::max(asymmetry, std::abs(surface.distance(image)));
   }
   symmetry_limit = 0.01 * body.side_length(1);
-  is_half = scene.symmetry != "none" && asymmetry < symmetry_limit;
+  is_half = asymmetry < symmetry_limit &&
+            (scene.symmetry == "y" ||
+             (scene.symmetry == "auto" && !own_.is_asymmetric));
   // A charge on the plane of symmetry is centred on it.
   if (is_half)
     charge[1] = 0.;
   if (scene.symmetry == "y" && !is_half)
     throw InputError("Scene/Symmetry = y: body or charge differ by " +
                      brief(asymmetry) + " m between both sides of y = 0");
+  if (is_half && own_.has_low_side)
+    throw InputError("Scene/Symmetry = y: Blast/Boundaries/y low is then the "
+                     "plane y = 0; leave it out, or choose Scene/Symmetry = "
+                     "none");
 }
 
 
-void SceneLayout::place_probe()
+void SceneLayout::place_probe(const bool at_high)
 {
   constexpr double gap = 0.35; // [m]
   if (distance <= body.side_length(1))
     return;
-  // On the charge's side of the body, no farther from the charge than the body.
-  const double beside = charge[1] < body.lower_bound(1)
-                          ? body.lower_bound(1) - gap
-                          : body.upper_bound(1) + gap;
+  // No farther from the charge than the body.
+  const double beside =
+    at_high ? body.upper_bound(1) + gap : body.lower_bound(1) - gap;
   const double aside = std::clamp(beside - charge[1], -distance, distance);
   // Not below zero by round-off.
   const double along =
@@ -375,6 +398,35 @@ void SceneLayout::watch(const std::vector<Point<3>> &probes)
 }
 
 
+void SceneLayout::take_domain(const SceneParameters &scene)
+{
+  lower = own_.lower.value_or(lower);
+  upper = own_.upper.value_or(upper);
+  for (const unsigned int d : {1U, 2U})
+    if ((d == 2 ? own_.has_ground : is_half) && lower[d] != 0.)
+      throw InputError(
+        "Blast/Domain/Lower corner = " + coordinates(lower) + ": its " +
+        std::string(1, "xyz"[d]) + " must be 0, where the " +
+        (d == 2 ? "ground is"
+                : "plane of symmetry is (Scene/Symmetry = none has none)"));
+  leaf_edge = 0.;
+  for (unsigned int d = 0; d < 3; ++d)
+  {
+    const double side = upper[d] - lower[d];
+    n_leaves[d] = own_.n_leaves ? std::max(1U, (*own_.n_leaves)[d])
+                                : static_cast<unsigned int>(std::clamp(
+                                    std::ceil(side / leaf - 1e-9), 1., 1e9));
+    leaf_edge = std::max(leaf_edge, side / n_leaves[d]);
+  }
+  if (double(n_leaves[0]) * n_leaves[1] * n_leaves[2] > max_leaves)
+    throw InputError("Blast/Domain: from " + coordinates(lower) + " to " +
+                     coordinates(upper) + " m it has more than " +
+                     brief(max_leaves) + " leaves of " + brief(leaf) + " m");
+  choose_levels(scene);
+  check_charge(scene);
+}
+
+
 double SceneLayout::unobstructed_distance() const
 {
   double way = distance;
@@ -395,17 +447,29 @@ bool SceneLayout::is_far(const SceneParameters &scene) const
 }
 
 
+double SceneLayout::cell_size(const unsigned int level) const
+{
+  return leaf_edge / subcells / std::pow(2., level);
+}
+
+
 double SceneLayout::cell_size() const
 {
-  return leaf / subcells / std::pow(2., levels);
+  return cell_size(levels);
+}
+
+
+double SceneLayout::shortest_side() const
+{
+  return std::min({unturned.side_length(0),
+                   unturned.side_length(1),
+                   unturned.side_length(2)});
 }
 
 
 double SceneLayout::cells_across() const
 {
-  return std::min(
-           {body.side_length(0), body.side_length(1), body.side_length(2)}) /
-         cell_size();
+  return shortest_side() / cell_size();
 }
 
 

@@ -169,6 +169,21 @@ namespace
 
   const std::string custom_section = "Custom explosive";
 
+  /// Refuses values in other units: explosives have some MJ/kg.
+  void require_explosive_energy(const JwlParameters &jwl,
+                                const std::string &path)
+  {
+    constexpr double least = 3e5, most = 3e7; // [J/kg]
+    const double energy = jwl.energy_density / jwl.reference_density;
+    if (!(energy >= least && energy <= most))
+      throw InputError(
+        path + ": Energy density = " + brief(jwl.energy_density) +
+        " J/m^3 over Density = " + brief(jwl.reference_density) +
+        " kg/m^3 is " + brief(energy, 3) + " J/kg; allowed are " +
+        brief(least) + " to " + brief(most) + " J/kg");
+  }
+
+
   /// Entry for the TNT equivalence of a custom explosive.
   void declare_equivalence(ParameterHandler &prm,
                            const std::string &quantity,
@@ -418,6 +433,9 @@ void SceneParameters::parse_explosive(ParameterHandler &prm)
   const auto impulse = read_list(prm, "TNT equivalence of impulse");
   explosive = custom.explosive;
   explosive.name = prm.get("Name");
+  if (explosive.name.empty())
+    throw InputError(path + "/Name is empty");
+  require_explosive_energy(explosive.jwl, path);
   custom_entries = {{"Like", custom.like}};
   for (const std::string &entry : CustomExplosive::entry_names())
     if (!prm.get(entry).empty())

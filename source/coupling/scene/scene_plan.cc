@@ -36,14 +36,11 @@ namespace
   /// @param displacement while the load lasts [m]
   Assumption rigid_body(const double displacement, const SceneLayout &layout)
   {
-    const auto &body = layout.body;
-    const double depth =
-      std::min({body.side_length(0), body.side_length(1), body.side_length(2)});
     return {"rigid_body",
             "fixed rigid body in the gas",
             "displacement of the body during the positive phase over its depth",
             "-",
-            displacement / depth,
+            displacement / layout.shortest_side(),
             largest_displacement,
             false,
             ""};
@@ -469,6 +466,9 @@ std::vector<Assumption> scene_audit(const SceneParameters &scene,
 {
   std::vector<Assumption> items =
     found_of_charge(scene, layout, folder + "/blast");
+  for (const Assumption &item : plan)
+    if (item.name.rfind("side_", 0) == 0)
+      items.push_back(item);
   if (scene.wants_injury())
     for (const Assumption &item : found_of_body(scene, layout, plan, folder))
       items.push_back(item);

@@ -273,8 +273,8 @@ namespace
         if (join(assignment.sections, "/") == "Blast/Domain" &&
             assignment.entry.find(" corner") != std::string::npos)
           text.words.rename("Domain/Size",
-                            "Blast/Domain/" + assignment.entry +
-                              ", which the scene chooses if it is left out");
+                            "the corners of Blast/Domain, which the scene "
+                            "chooses if they are left out");
       return text;
     }
 

@@ -176,7 +176,7 @@ BodyPointer BodyDescription::create_unplaced() const
   return simple_.create();
 }
 
-BodyPointer BodyDescription::create() const
+BodyPointer BodyDescription::unplaced() const
 {
   // Plan, stages and trial runs of a scene create the same body, whose images
   // may take seconds to read.
@@ -191,7 +191,12 @@ BodyPointer BodyDescription::create() const
     last = create_unplaced();
     last_text = text;
   }
-  BodyPointer body = last;
+  return last;
+}
+
+BodyPointer BodyDescription::create() const
+{
+  BodyPointer body = unplaced();
   if (!placement_.is_identity())
     body = body->placed(placement_);
   if (origin_ == "as given")
@@ -203,6 +208,12 @@ BodyPointer BodyDescription::create() const
     point[2] = box.lower_bound(2);
   return body->placed(
     Placement(1., dealii::Tensor<1, 3>(), placement_.shift() - point));
+}
+
+dealii::BoundingBox<3> BodyDescription::unturned_box() const
+{
+  return Placement(placement_.scale(), {}, {})
+    .apply(unplaced()->surface()->bounding_box());
 }
 
 std::vector<OrganReference> BodyDescription::references() const

@@ -34,6 +34,18 @@ namespace
   }
 
 
+  /// The phantom's fluid, as it is before its head is warped to the person's.
+  std::vector<BodyLayer> layers_of_inserted_organs(ParameterHandler &prm)
+  {
+    {
+      const Section section(prm, "Surface");
+      if (prm.get("Organs") != "phantom")
+        return {};
+    }
+    return {layers_of_phantom(prm).front()};
+  }
+
+
   std::vector<BodyLayer> layers_of_shape(ParameterHandler &prm)
   {
     const Section section(prm, "Shape");
@@ -108,6 +120,8 @@ std::vector<BodyLayer> read_layers(ParameterHandler &prm)
     layers = layers_of_shape(prm);
   else if (kind == "image")
     layers = layers_of_image(prm);
+  else if (kind == "surface")
+    layers = layers_of_inserted_organs(prm);
   for (BodyLayer &layer : layers)
     layer.thickness *= read_double(prm, "Scale");
   return layers;

@@ -27,11 +27,13 @@ public:
   /**
    * @param prm entries of the scene, in its section "Body"
    * @param body the same body
+   * @param unturned its box after scaling, before rotation and shift
    * @param mass of the body [kg]
    * @param charge centre of the charge [m]
    */
   Person(dealii::ParameterHandler &prm,
          const Body &body,
+         const dealii::BoundingBox<3> &unturned,
          double mass,
          const dealii::Point<3> &charge);
 
@@ -66,7 +68,7 @@ public:
   double charge_elevation() const;
 
   /// Stature of the phantom, else extent of the body along the upright axis, or
-  /// its height without axes [m].
+  /// its height without axes, as it is turned [m].
   double length() const
   {
     return length_;

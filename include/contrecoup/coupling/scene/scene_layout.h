@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <contrecoup/coupling/scene/own_grid.h>
 #include <contrecoup/coupling/scene/scene_parameters.h>
 #include <contrecoup/geometry/shape/shape.h>
 #include <contrecoup/numerics/injury/expected_blast.h>
@@ -18,7 +19,8 @@ namespace contrecoup::coupling
  */
 struct SceneLayout
 {
-  /// Edge of coarse leaves [m]; a leaf has `subcells` subcells per edge.
+  /// Edge of coarse leaves [m]; a leaf has `subcells` subcells per edge. Those
+  /// of a domain of the user are at most as large.
   static constexpr double leaf = 0.64;
   static constexpr unsigned int subcells = 4;
   /// Edge of the subcells of the 1-D stage [m].
@@ -34,12 +36,19 @@ struct SceneLayout
    * later than the end time. The front is that of
    * ExpectedBlast in free air of 101325 Pa and 1.225 kg/m^3.
    * @param surface surface of the body
+   * @param unturned box of the same body before it was turned; that of
+   * @p surface by default
+   * @param own what the user chose; a corner may cut or widen the domain
    * @throws InputError for a charge that overlaps the body or the ground or is
    * closer to the skin than the subcells resolve, a body below ground or
-   * thinner than a subcell, a requested symmetry that does not exist, and times
-   * and distances that need more than max_leaves leaves
+   * thinner than a subcell, a requested symmetry that does not exist, a lower
+   * side that is not where ground or plane of symmetry are, and times and
+   * distances that need more than max_leaves leaves
    */
-  SceneLayout(const SceneParameters &scene, const Shape &surface);
+  SceneLayout(const SceneParameters &scene,
+              const Shape &surface,
+              const std::optional<dealii::BoundingBox<3>> &unturned = {},
+              const OwnGrid &own = {});
 
   /// Most refinement levels beyond those of the preset.
   static constexpr unsigned int max_extra_levels = 2;
@@ -49,6 +58,8 @@ struct SceneLayout
   static constexpr double least_cells_across = 6.;
 
   dealii::BoundingBox<3> body;
+  /// Of the body before it was turned: its sides are those of the body itself.
+  dealii::BoundingBox<3> unturned;
   dealii::Point<3> charge; ///< centre of the charge [m]
   double charge_radius;    ///< [m]
   /// From the charge's centre to the nearest point of the skin [m]
@@ -80,10 +91,11 @@ struct SceneLayout
   /// ground [m].
   double front_distance;
   /// Probe of the wave in the air beside the body, at the body's distance from
-  /// the charge; none where the charge is too near.
+  /// the charge; none where the charge is too near, or walls are.
   std::optional<dealii::Point<3>> probe;
   dealii::Point<3> lower, upper; ///< corners of the domain [m]
   std::array<unsigned int, 3> n_leaves;
+  double leaf_edge = leaf; ///< longest edge of the coarse leaves [m]
 
   /// Distance from the charge to the nearest of the body and the open sides
   /// [m].
@@ -93,8 +105,12 @@ struct SceneLayout
   /// reaches the body; only then the expected arrival is meaningful.
   bool is_far(const SceneParameters &scene) const;
 
-  /// Edge of the subcells at the skin [m].
+  /// Longest edge of the subcells at a refinement level [m].
+  double cell_size(unsigned int level) const;
+  /// The same at the skin [m].
   double cell_size() const;
+  /// The body's shortest side, however it is turned [m].
+  double shortest_side() const;
   /// Subcells at the skin for the length of the positive phase in air.
   double cells_per_phase() const;
   /// Subcells at the skin along the body's shortest side.
@@ -105,8 +121,11 @@ private:
   void choose_levels(const SceneParameters &scene);
   void expect_front(const SceneParameters &scene, const ExpectedBlast &blast);
   void check_charge(const SceneParameters &scene) const;
+  /// Takes corners and leaves of the user, and chooses levels by them.
+  void take_domain(const SceneParameters &scene);
   void find_symmetry(const SceneParameters &scene, const Shape &surface);
-  void place_probe();
+  /// @param at_high on which side of the body along y
+  void place_probe(bool at_high);
   /// Numbers of coarse leaves per direction, below and above 0, that the
   /// domain needs for a front that travels @p front_distance [m].
   std::array<std::array<double, 2>, 3> leaves_for(double front_distance) const;
@@ -115,6 +134,7 @@ private:
   /// Extends the domain for probes of the user, as far as max_leaves allows.
   void watch(const std::vector<dealii::Point<3>> &probes);
 
+  OwnGrid own_;
   std::vector<dealii::Point<3>> watched_;
 };
 } // namespace contrecoup::coupling

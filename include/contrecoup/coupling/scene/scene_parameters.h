@@ -72,7 +72,7 @@ struct SceneParameters
   /// Sets the edge of the elements unless an entry gives it: that of the
   /// preset, but at most a sixtieth of the body's longest side, so that a head
   /// alone has several elements through scalp and skull.
-  /// @param body bounding box of the body [m]
+  /// @param body bounding box of the body before it is turned [m]
   void fit_elements(const dealii::BoundingBox<3> &body);
 
   /// Energy of the charge, of detonation and afterburn [J].

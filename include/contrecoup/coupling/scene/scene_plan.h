@@ -35,8 +35,8 @@ struct ChosenSide
   std::string in_words(const SceneLayout &layout) const;
 };
 
-/// Sides that the user chose. Domains keep the size that they have with open
-/// sides; tables know nothing of these sides.
+/// Sides that the user chose. Without corners of the user, domains keep the
+/// size that they have with open sides; tables know nothing of these sides.
 /// @param wrote all assignments of the user
 std::vector<ChosenSide> find_chosen_sides(const std::vector<Assignment> &wrote,
                                           const SceneLayout &layout);
@@ -54,7 +54,7 @@ std::vector<Assumption> scene_plan(const SceneParameters &scene,
                                    bool has_lung);
 
 /// Measured values of these assumptions and of those of the tasks; empty for
-/// tasks without results.
+/// tasks without results; sides are where the plan has them.
 /// @param plan scene_plan() of the scene
 /// @param folder of the scene
 std::vector<Assumption> scene_audit(const SceneParameters &scene,

@@ -37,6 +37,10 @@ public:
   /// repeated calls are fast. @throws InputError when a file cannot be used
   BodyPointer create() const;
 
+  /// Box of the body after scaling, before rotation and shift [m]: its sides do
+  /// not depend on how the body is turned.
+  dealii::BoundingBox<3> unturned_box() const;
+
   /// Volumes that organs should have: those of the voxels of an image, or from
   /// the literature for an unscaled phantom; else empty.
   std::vector<OrganReference> references() const;
@@ -54,6 +58,7 @@ public:
 
 private:
   BodyPointer create_unplaced() const;
+  BodyPointer unplaced() const; ///< the same, cached
 
   std::string text_; ///< entries that define the body before placement
   std::vector<std::string> files_; ///< input files
