@@ -124,22 +124,20 @@ def _draw_levels(axis, plane, values, levels):
     x = np.linspace(plane.lower[0], plane.upper[0], values.shape[1])
     y = np.linspace(plane.lower[1], plane.upper[1], values.shape[0])
     lines = axis.contour(x, y, values, inside, colors="white", linewidths=1.)
-    _name_levels(axis, lines, inside, levels)
+    _name_levels(axis, lines, levels)
     # A dark rim shows on any colour.
-    plt.setp([*lines.collections, *lines.labelTexts],
+    plt.setp([*axis.collections, *lines.labelTexts],
              path_effects=[withStroke(linewidth=2., foreground="black")])
 
 
-def _name_levels(axis, lines, inside, levels):
+def _name_levels(axis, lines, levels):
     """Names each level once, where that is farthest from the names before."""
-    longest = [max(parts, key=len) for parts in lines.allsegs]
     named = []
-    for level, points in zip(inside, longest):
+    for points in (max(parts, key=len) for parts in lines.allsegs):
         # Not at the ends of the line, which are at those of the map.
         inner = points[len(points) // 5:-(len(points) // 5) or None]
         apart = [min((np.linalg.norm(point - other) for other in named),
                      default=-abs(i - len(inner) / 2.))
                  for i, point in enumerate(inner)]
         named.append(inner[int(np.argmax(apart))])
-        axis.clabel(lines, [level], fontsize=8, fmt=levels,
-                    manual=[named[-1]])
+    axis.clabel(lines, fontsize=8, fmt=levels, manual=named)
