@@ -99,11 +99,34 @@ TEST(OwnGrid, TakeTheDomainOfTheUser)
   scene.symmetry = "y";
   EXPECT_THROW(layout_of({"Domain/Lower corner=-4, -3, 0"}), InputError);
   EXPECT_THROW(layout_of({"Boundaries/y low=wall"}), InputError);
-  EXPECT_TRUE(layout_of({"Boundaries/y high=wall"}).is_half);
+  EXPECT_THROW(layout_of({"Boundaries/y high=wall"}), InputError);
 }
 
 
-// It is on the other side of the body, or nowhere, where a wall is near.
+// A scene without symmetry along y is not mirrored.
+TEST(OwnGrid, MirrorNoSideOfTheUser)
+{
+  SceneParameters scene = coarse_scene();
+  const RoundedBox body = upright_box();
+  const auto is_half = [&](const std::vector<std::string> &lines) {
+    return SceneLayout(scene, body, {}, grid_by(lines)).is_half;
+  };
+  EXPECT_TRUE(is_half({"Boundaries/x high=wall", "Boundaries/y high=open"}));
+  EXPECT_FALSE(is_half({"Boundaries/y high=wall"}));
+  EXPECT_FALSE(is_half({"Boundaries/y low=wall"}));
+  EXPECT_FALSE(is_half({"Boundaries/y low=open"}));
+  EXPECT_FALSE(is_half({"Boundaries/y low=wall", "Boundaries/y high=wall"}));
+  EXPECT_TRUE(is_half({"Boundaries/y low=symmetry", "Boundaries/y high=wall"}));
+  scene.symmetry = "y";
+  EXPECT_TRUE(is_half({"Boundaries/y low=symmetry", "Boundaries/y high=wall"}));
+  for (const char *side : {"y low=wall", "y low=open", "y high=wall"})
+    EXPECT_THROW(is_half({std::string("Boundaries/") + side}), InputError)
+      << side;
+}
+
+
+// It is on the other side of the body, nearer, or nowhere, where a side is
+// near.
 TEST(OwnGrid, KeepTheProbeWithinTheDomain)
 {
   SceneParameters scene = coarse_scene();
@@ -120,7 +143,24 @@ TEST(OwnGrid, KeepTheProbeWithinTheDomain)
   EXPECT_NEAR((*probe("-3", "3"))[1], 0.6, 1e-12);
   ASSERT_TRUE(probe("-3", "0.5"));
   EXPECT_NEAR((*probe("-3", "0.5"))[1], -0.6, 1e-12);
+  ASSERT_TRUE(probe("-0.5", "0.65"));
+  EXPECT_NEAR((*probe("-0.5", "0.65"))[1], 0.45, 1e-12);
   EXPECT_FALSE(probe("-0.5", "0.5"));
+  // Neither on a wall that the wave meets first.
+  scene.place = Point<3>(0.1, 2.2, 1.27);
+  const OwnGrid near = grid_by({"Domain/Upper corner=4, 4, 2"});
+  ASSERT_TRUE(SceneLayout(scene, body, {}, near).probe);
+  const double x = (*SceneLayout(scene, body, {}, near).probe)[0];
+  EXPECT_LT(x, -0.2);
+  for (const double gap : {0.1, 0.2})
+    EXPECT_EQ(SceneLayout(scene,
+                          body,
+                          {},
+                          grid_by({"Domain/Lower corner=" +
+                                     std::to_string(x - gap) + ", -3, 0",
+                                   "Domain/Upper corner=4, 4, 2"}))
+                .probe.has_value(),
+              gap > 0.15);
 }
 
 

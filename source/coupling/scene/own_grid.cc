@@ -50,9 +50,9 @@ OwnGrid OwnGrid::find(const std::vector<Assignment> &wrote)
       std::array<unsigned int, 3>{{static_cast<unsigned int>((*leaves)[0]),
                                    static_cast<unsigned int>((*leaves)[1]),
                                    static_cast<unsigned int>((*leaves)[2])}};
-  own.has_low_side = is_other("y low", "symmetry");
-  own.is_asymmetric = own.has_low_side || is_other("y high", "open") ||
-                      (own.lower && (*own.lower)[1] != 0.);
+  const bool is_mirrored = values.count("Blast/Boundaries/y low") > 0;
+  own.has_unlike_sides = is_other("y low", "symmetry") ||
+                         (is_other("y high", "open") && !is_mirrored);
   own.has_ground = !is_other("z low", "wall") || !is_other("z low", "symmetry");
   return own;
 }

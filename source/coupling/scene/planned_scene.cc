@@ -194,6 +194,9 @@ void PlannedScene::print(const bool with_plan) const
   std::vector<std::string> details;
   for (const std::string &remark : body_->remarks())
     details.push_back(remark_line(remark));
+  if (!layout_->probe)
+    details.emplace_back("  no probe beside the body: the charge, or a side of "
+                         "the domain, is too near for the wave in the open");
   for (const std::string &line : io::plan_lines(plan_))
     details.push_back(line);
   for (const std::string &line : details)

@@ -93,9 +93,9 @@ SceneLayout::SceneLayout(const SceneParameters &scene,
   choose_levels(scene);
   check_charge(scene);
   find_symmetry(scene, surface);
-  // On the charge's side of the body.
-  const bool at_high = charge[1] >= body.lower_bound(1);
-  place_probe(at_high);
+  constexpr double far = 1e6; // [m]
+  place_probe(
+    {{Point<3>(-far, is_half ? 0. : -far, 0.), Point<3>(far, far, far)}});
   const ExpectedBlast blast(scene.energy(), air_pressure, air_density);
   expect_front(scene, blast);
   const Point<3> image(charge[0], charge[1], -charge[2]);
@@ -109,12 +109,10 @@ SceneLayout::SceneLayout(const SceneParameters &scene,
                      " s only");
   size_domain(scene, outward);
   if (own_.has_domain())
+  {
     take_domain(scene);
-  const dealii::BoundingBox<3> domain({lower, upper});
-  if (probe && !domain.point_inside(*probe))
-    place_probe(!at_high);
-  if (probe && !domain.point_inside(*probe))
-    probe.reset();
+    place_probe(dealii::BoundingBox<3>({lower, upper}));
+  }
 }
 
 
@@ -266,34 +264,55 @@ void SceneLayout::find_symmetry(const SceneParameters &scene,
   symmetry_limit = 0.01 * body.side_length(1);
   is_half = asymmetry < symmetry_limit &&
             (scene.symmetry == "y" ||
-             (scene.symmetry == "auto" && !own_.is_asymmetric));
+             (scene.symmetry == "auto" && !own_.has_unlike_sides &&
+              !(own_.lower && (*own_.lower)[1] != 0.)));
   // A charge on the plane of symmetry is centred on it.
   if (is_half)
     charge[1] = 0.;
   if (scene.symmetry == "y" && !is_half)
     throw InputError("Scene/Symmetry = y: body or charge differ by " +
                      brief(asymmetry) + " m between both sides of y = 0");
-  if (is_half && own_.has_low_side)
-    throw InputError("Scene/Symmetry = y: Blast/Boundaries/y low is then the "
-                     "plane y = 0; leave it out, or choose Scene/Symmetry = "
-                     "none");
+  if (is_half && own_.has_unlike_sides)
+    throw InputError("Scene/Symmetry = y: the sides y low and y high of "
+                     "Blast/Boundaries differ; y low = symmetry mirrors y "
+                     "high, Scene/Symmetry = none has both sides");
 }
 
 
-void SceneLayout::place_probe(const bool at_high)
+void SceneLayout::place_probe(const dealii::BoundingBox<3> &domain)
 {
-  constexpr double gap = 0.35; // [m]
-  if (distance <= body.side_length(1))
+  constexpr double most = 0.35; // [m]
+  const double least = std::min(4. * cell_size(), most);
+  probe.reset();
+  // In the middle between body and side, where that is nearer.
+  const auto gap_for = [&](const double room) {
+    return std::min(most, 0.5 * room);
+  };
+  const double below = gap_for(body.lower_bound(1) - domain.lower_bound(1));
+  const double above = gap_for(domain.upper_bound(1) - body.upper_bound(1));
+  const double gap = std::max(below, above);
+  if (distance <= body.side_length(1) || gap < least)
     return;
-  // No farther from the charge than the body.
+  // On the charge's side of the body unless the other one has more room, no
+  // farther from the charge than the body.
+  const bool at_low =
+    charge[1] < body.lower_bound(1) ? below == gap : above < gap;
   const double beside =
-    at_high ? body.upper_bound(1) + gap : body.lower_bound(1) - gap;
+    at_low ? body.lower_bound(1) - gap : body.upper_bound(1) + gap;
   const double aside = std::clamp(beside - charge[1], -distance, distance);
   // Not below zero by round-off.
   const double along =
     std::sqrt(std::max(0., distance * distance - aside * aside));
   const double toward = body.center()[0] < charge[0] ? -1. : 1.;
-  probe = charge + Point<3>(toward * along, aside, 0.);
+  const Point<3> place = charge + Point<3>(toward * along, aside, 0.);
+  // The ground may be near: that of the user's scene is everywhere.
+  const bool is_free = place[0] - domain.lower_bound(0) >= least &&
+                       domain.upper_bound(0) - place[0] >= least &&
+                       place[1] - domain.lower_bound(1) >= least &&
+                       domain.upper_bound(1) - place[1] >= least &&
+                       domain.upper_bound(2) - place[2] >= least;
+  if (is_free)
+    probe = place;
 }
 
 

@@ -99,12 +99,13 @@ namespace
                    1.,
                    "s",
                    "End time of the scene since the detonation, above 0.");
-    declare_selection(prm,
-                      "Symmetry",
-                      "auto",
-                      {"auto", "none", "y"},
-                      "Whether the gas is computed on one side of the plane "
-                      "y = 0 alone; auto: where body and charge allow it.");
+    declare_selection(
+      prm,
+      "Symmetry",
+      "auto",
+      {"auto", "none", "y"},
+      "Whether the gas is computed on one side of the plane "
+      "y = 0 alone; auto: where body, charge and sides allow it.");
     declare_bool(prm,
                  "Forecast",
                  "true",

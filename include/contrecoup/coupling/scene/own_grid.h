@@ -20,11 +20,10 @@ struct OwnGrid
 {
   std::optional<dealii::Point<3>> lower, upper;        ///< corners [m]
   std::optional<std::array<unsigned int, 3>> n_leaves; ///< coarse ones
-  /// Whether a side or the lower corner along y rules out that half of the gas
-  /// is computed unless the user asks for it.
-  bool is_asymmetric = false;
-  bool has_low_side = false; ///< whether y low is no plane of symmetry
-  bool has_ground = true;    ///< whether the side z low is a wall
+  /// Whether the side y low is the user's own, or y high is and is not
+  /// mirrored by y low = symmetry: half of the gas is then not the scene.
+  bool has_unlike_sides = false;
+  bool has_ground = true; ///< whether the side z low is a wall
 
   /// @param wrote all assignments of the user, the last of each entry counts;
   /// values that are no numbers are left to the stage, which refuses them

@@ -91,7 +91,7 @@ struct SceneLayout
   /// ground [m].
   double front_distance;
   /// Probe of the wave in the air beside the body, at the body's distance from
-  /// the charge; none where the charge is too near, or walls are.
+  /// the charge; none where the charge or sides are too near.
   std::optional<dealii::Point<3>> probe;
   dealii::Point<3> lower, upper; ///< corners of the domain [m]
   std::array<unsigned int, 3> n_leaves;
@@ -124,8 +124,9 @@ private:
   /// Takes corners and leaves of the user, and chooses levels by them.
   void take_domain(const SceneParameters &scene);
   void find_symmetry(const SceneParameters &scene, const Shape &surface);
-  /// @param at_high on which side of the body along y
-  void place_probe(bool at_high);
+  /// Places the probe some cells off all sides of the domain but the ground,
+  /// or leaves it out.
+  void place_probe(const dealii::BoundingBox<3> &domain);
   /// Numbers of coarse leaves per direction, below and above 0, that the
   /// domain needs for a front that travels @p front_distance [m].
   std::array<std::array<double, 2>, 3> leaves_for(double front_distance) const;
