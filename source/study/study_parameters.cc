@@ -131,6 +131,19 @@ void StudyParameters::declare_parameters(ParameterHandler &prm)
   Factor::declare_parameters(prm);
 }
 
+void StudyParameters::require_effect() const
+{
+  if (error.reference_settings())
+    return;
+  for (const auto &setting : settings)
+    for (const Factor &factor : factors)
+      for (std::size_t i = 0; i < factor.entries.size(); ++i)
+        if (factor.entries[i] == setting.first && factor.always_sets(i))
+          throw InputError("Study/Settings: \"" + setting.first +
+                           "\" has no effect, since \"Vary " + factor.name +
+                           "\" sets it in each run");
+}
+
 void StudyParameters::parse_parameters(ParameterHandler &prm)
 {
   {
@@ -151,6 +164,7 @@ void StudyParameters::parse_parameters(ParameterHandler &prm)
   }
   error.parse_parameters(prm);
   factors = parse_factors(prm);
+  require_effect();
   if (!std::filesystem::is_regular_file(parameter_file))
     throw InputError("Study/Parameter file: cannot read \"" + parameter_file +
                      "\"");

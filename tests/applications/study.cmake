@@ -49,6 +49,9 @@ study_refuses(impossible_value "Time/End time"
   SET "Vary leaves/Entry=Time/End time" "Vary leaves/Values=-1")
 study_refuses(unknown_setting "Study/Settings: blast: unknown entry"
   SET "Study/Settings=Method/Limitr=mc")
+study_refuses(setting_without_effect
+  "\"Domain/Coarse leaves\" has no effect, since \"Vary leaves\" sets it"
+  SET "Study/Settings=Domain/Coarse leaves=10" ARGUMENTS --check)
 study_refuses(first_run "the run (finite volume, 10): blast: "
   SET "Study/Settings=Initial state/Kind=uniform" ARGUMENTS --check)
 # Outputs that no run can have, before anything runs.

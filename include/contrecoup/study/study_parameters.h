@@ -31,5 +31,9 @@ struct StudyParameters
 
   /// @throws InputError for contradictory entries
   void parse_parameters(dealii::ParameterHandler &prm);
+
+private:
+  /// @throws InputError for a setting that no run has, the reference included
+  void require_effect() const;
 };
 } // namespace contrecoup::study
