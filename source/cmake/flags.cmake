@@ -8,8 +8,8 @@ option(CONTRECOUP_PACKAGE
 option(CONTRECOUP_SANITIZE
   "Build with the address and undefined-behaviour sanitizers" OFF)
 
-# OFF for work on a test: a change then compiles only its source.
-option(CONTRECOUP_UNITY "Compile sources of tests several at once" ON)
+# OFF for work on the code: a change then compiles only its source.
+option(CONTRECOUP_UNITY "Compile the sources of a folder at once" ON)
 
 # gcc 12 mistakes the undefined registers of its AVX-512 intrinsics for
 # uninitialised variables. Debian's deal.II hands flags of gcc to clang, too.

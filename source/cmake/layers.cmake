@@ -1,19 +1,20 @@
-# contrecoup_add_layer(<name> SOURCES ... [DEPENDS <lower layer>...])
+# contrecoup_add_layer(<name> [DEPENDS <lower layer>...])
 #
 # One shared library per layer, contrecoup_<name>, in build/lib; a program need
 # not be linked again where only the inside of a layer changes. The precompiled
 # header is compiled once, by the lowest layer.
 function(contrecoup_add_layer name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "DEPENDS" ${ARGN})
   set(target contrecoup_${name})
-  add_library(${target} SHARED ${ARG_SOURCES})
+  add_library(${target} SHARED)
   contrecoup_setup_target(${target})
   # Without the macro that CMake defines in each shared library: sources that
   # have another one could not take the precompiled header.
   set_target_properties(${target} PROPERTIES DEFINE_SYMBOL ""
     LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/lib
     VERSION ${PROJECT_VERSION}
-    SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+    SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}
+    UNITY_BUILD ${CONTRECOUP_UNITY} UNITY_BUILD_MODE GROUP)
   # clang links the sanitizers' run-time to programs alone.
   if(NOT CONTRECOUP_SANITIZE)
     target_link_options(${target} PRIVATE -Wl,--no-undefined)
@@ -23,20 +24,20 @@ function(contrecoup_add_layer name)
   endforeach()
 endfunction()
 
-# contrecoup_add_room(<layer> <source>...): sources of a layer in their own
-# folder.
+# contrecoup_add_room(<layer> <source>... [ALONE <source>...]): sources of a layer
+# in their own folder. The compiler reads them as one, which halves its work;
+# names in their unnamed namespaces must differ. It reads those after ALONE one by
+# one: kernels, whose code must not depend on what else is there, and parts of one
+# class template.
 function(contrecoup_add_room layer)
-  list(TRANSFORM ARGN PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
-  target_sources(contrecoup_${layer} PRIVATE ${ARGN})
-endfunction()
-
-# contrecoup_compile_together(<layer> <source>...): the compiler reads these
-# sources as one, which compiles their common templates once (those of JSON take
-# five seconds a source). Names in their unnamed namespaces must differ.
-function(contrecoup_compile_together name)
-  set_target_properties(contrecoup_${name} PROPERTIES
-    UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
-  set_source_files_properties(${ARGN} PROPERTIES UNITY_GROUP together)
+  cmake_parse_arguments(ARG "" "" "ALONE" ${ARGN})
+  set(_together ${ARG_UNPARSED_ARGUMENTS})
+  list(TRANSFORM _together PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
+  list(TRANSFORM ARG_ALONE PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
+  target_sources(contrecoup_${layer} PRIVATE ${_together} ${ARG_ALONE})
+  get_filename_component(_folder ${CMAKE_CURRENT_SOURCE_DIR} NAME)
+  set_source_files_properties(${_together} TARGET_DIRECTORY contrecoup_${layer}
+    PROPERTIES UNITY_GROUP ${_folder})
 endfunction()
 
 # contrecoup_setup_target(<target>): includes, deal.II, flags, common header.
@@ -46,7 +47,9 @@ function(contrecoup_setup_target target)
     ${PROJECT_SOURCE_DIR}/include ${PROJECT_BINARY_DIR}/include)
   deal_ii_setup_target(${target})
   target_compile_definitions(${target} PRIVATE OMPI_SKIP_MPICXX)
-  target_compile_options(${target} PRIVATE ${CONTRECOUP_COMPILE_OPTIONS})
+  target_compile_options(${target} PRIVATE ${CONTRECOUP_COMPILE_OPTIONS}
+    # gcc takes a source that a unity file includes for a header.
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
   if(target STREQUAL "contrecoup_base")
     target_precompile_headers(${target} PRIVATE
       ${PROJECT_SOURCE_DIR}/include/contrecoup/base/system/precompiled.h)

@@ -48,9 +48,7 @@ function(contrecoup_setup_test_target target)
   contrecoup_setup_target(${target})
   target_compile_options(${target} PRIVATE
     $<$<CONFIG:Release>:-O1 -fno-unroll-loops -fno-unroll-all-loops
-      ${CONTRECOUP_LIKE_PRECOMPILED}>
-    # gcc takes a source that a unity file includes for a header.
-    -Wno-subobject-linkage)
+      ${CONTRECOUP_LIKE_PRECOMPILED}>)
 endfunction()
 
 # The main function of all unit tests; compiled once.

@@ -8,12 +8,6 @@
 
 namespace contrecoup
 {
-namespace
-{
-  /// Largest exponent R V that is evaluated: exp(-90) = 8e-40.
-  constexpr double largest_exponent = 90.;
-} // namespace
-
 ColdCurve ColdCurve::stiffened_gas(const double gamma,
                                    const double p_infinity,
                                    const double gas_constant)
@@ -32,7 +26,8 @@ ColdCurve ColdCurve::jwl(const JwlParameters &products)
   ColdCurve curve;
   curve.products_ = products;
   curve.dilute_density_ = products.reference_density *
-                          std::min(products.R1, products.R2) / largest_exponent;
+                          std::min(products.R1, products.R2) /
+                          largest_cold_exponent;
   curve.constant_weight_ = 1.;
   curve.base_omega_ = products.omega;
   curve.inverse_base_omega_ = 1. / products.omega;

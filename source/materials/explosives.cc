@@ -5,6 +5,7 @@
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/materials/explosives.h>
 #include <contrecoup/materials/mie_grueneisen.h>
+#include <contrecoup/materials/units.h>
 
 #include <boost/math/tools/roots.hpp>
 
@@ -16,8 +17,6 @@ namespace contrecoup
 {
 namespace
 {
-  constexpr double gigapascal = 1e9;
-
   /// A row of the library, in units of the literature.
   struct Row
   {

@@ -14,7 +14,6 @@ namespace
 {
   constexpr double room_temperature = 298.; // [K]
   constexpr double smallest_volume = 0.4;   // V [-]
-  constexpr double largest_exponent = 90.;  // R V, as in ColdCurve
   constexpr unsigned int n_volumes = 4000;
 
   /// Pressure above the cold curve at the start of the isentrope, times V^(1 +
@@ -36,7 +35,7 @@ namespace
     const double cold =
       jwl.A * std::exp(-jwl.R1 * volume) + jwl.B * std::exp(-jwl.R2 * volume);
     return {(state.pressure - cold) * std::pow(volume, 1. + jwl.omega),
-            largest_exponent / std::min(jwl.R1, jwl.R2)};
+            largest_cold_exponent / std::min(jwl.R1, jwl.R2)};
   }
 } // namespace
 

@@ -4,6 +4,7 @@
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/names.h>
 #include <contrecoup/materials/tissue_library.h>
+#include <contrecoup/materials/units.h>
 
 #include <cmath>
 
@@ -11,10 +12,6 @@ namespace contrecoup
 {
 namespace
 {
-  constexpr double kilopascal = 1e3;
-  constexpr double megapascal = 1e6;
-  constexpr double gigapascal = 1e9;
-
   const std::string paper = "Tan, Saunders and Bagchi 2017, table 1";
 
   /// An elastic tissue from Young's modulus and Poisson's ratio.

@@ -22,11 +22,6 @@ namespace
 {
   constexpr int stop_signals[] = {SIGTERM, SIGINT, SIGXFSZ, SIGPIPE};
 
-  bool begins_with(const std::string &text, const std::string &begin)
-  {
-    return text.compare(0, begin.size(), begin) == 0;
-  }
-
   /// Whether a variable makes an MPI library join a running job. Settings of
   /// the user are kept.
   bool belongs_to_mpi_job(const std::string &variable)

@@ -93,7 +93,7 @@ namespace
     return sum / static_cast<double>(count);
   }
 
-  nlohmann::json read_summary(const std::string &folder)
+  nlohmann::json read_reference_summary(const std::string &folder)
   {
     const std::string file = folder + "/summary.json";
     require_readable("the reference run's summary", file);
@@ -299,7 +299,7 @@ bool ErrorMeasure::is_in_summary() const
 double ErrorMeasure::reference_quantity() const
 {
   return quantity(reference_folder_,
-                  is_in_summary() ? read_summary(reference_folder_)
+                  is_in_summary() ? read_reference_summary(reference_folder_)
                                   : nlohmann::json());
 }
 

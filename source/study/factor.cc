@@ -20,7 +20,7 @@ namespace contrecoup::study
 namespace
 {
   /// Splits @p text, keeping an empty last part: "a |" has two.
-  std::vector<std::string> cells(const std::string &text)
+  std::vector<std::string> cells_of_row(const std::string &text)
   {
     std::vector<std::string> parts = {""};
     for (const char letter : text)
@@ -128,7 +128,7 @@ void Factor::parse_parameters(ParameterHandler &prm,
 {
   const std::string where = "Vary " + item_name + "/";
   name = item_name;
-  entries = cells(prm.get("Entry"));
+  entries = cells_of_row(prm.get("Entry"));
   for (const std::string &entry : entries)
     if (entry.empty())
       throw InputError(where + "Entry must name an entry as in "
@@ -146,7 +146,7 @@ void Factor::parse_parameters(ParameterHandler &prm,
   }
   for (const std::string &row : rows(text))
   {
-    values.push_back(cells(row));
+    values.push_back(cells_of_row(row));
     if (values.back().size() != entries.size())
       throw InputError(where + "Values: \"" + row + "\" has " +
                        std::to_string(values.back().size()) +

@@ -19,11 +19,9 @@ namespace contrecoup::study
 {
 namespace
 {
-  using Json = nlohmann::ordered_json;
-
   template <typename Type>
   Type
-  member(const Json &object, const std::string &name, const Type &otherwise)
+  member(const io::Json &object, const std::string &name, const Type &otherwise)
   {
     if (!object.is_object() || !object.contains(name) || object[name].is_null())
       return otherwise;
@@ -31,7 +29,7 @@ namespace
     {
       return object[name].get<Type>();
     }
-    catch (const Json::exception &)
+    catch (const io::Json::exception &)
     {
       // The member has another type.
       return otherwise;
@@ -39,7 +37,7 @@ namespace
   }
 
   /// Whether all members of write_outcome() exist with their types.
-  bool is_whole(const Json &text)
+  bool is_whole(const io::Json &text)
   {
     if (!text.is_object())
       return false;
@@ -159,26 +157,26 @@ std::string identity(const std::string &application,
                      const unsigned int ranks,
                      const std::map<std::string, std::string> &entries)
 {
-  const Json text = {{"application", application},
-                     {"version", version},
-                     {"ranks", ranks},
-                     {"entries", entries}};
-  return text.dump(-1, ' ', false, Json::error_handler_t::replace);
+  const io::Json text = {{"application", application},
+                         {"version", version},
+                         {"ranks", ranks},
+                         {"entries", entries}};
+  return text.dump(-1, ' ', false, io::Json::error_handler_t::replace);
 }
 
 void write_outcome(const std::string &file,
                    const Outcome &outcome,
                    const std::string &identity)
 {
-  const Json text = {{"format", io::formats::outcome.number},
-                     {"outcome", outcome.kind},
-                     {"reason", outcome.reason},
-                     {"exit_code", outcome.exit_code},
-                     {"wall_seconds", outcome.wall_seconds},
-                     {"time_limit", outcome.time_limit},
-                     {"identity", Json::parse(identity)}};
+  const io::Json text = {{"format", io::formats::outcome.number},
+                         {"outcome", outcome.kind},
+                         {"reason", outcome.reason},
+                         {"exit_code", outcome.exit_code},
+                         {"wall_seconds", outcome.wall_seconds},
+                         {"time_limit", outcome.time_limit},
+                         {"identity", io::Json::parse(identity)}};
   io::write_file(file, [&](std::ostream &out) {
-    out << text.dump(1, ' ', false, Json::error_handler_t::replace) << '\n';
+    out << text.dump(1, ' ', false, io::Json::error_handler_t::replace) << '\n';
   });
   // The outcome of hours of computing must survive a power failure.
   io::sync(file);
@@ -190,13 +188,13 @@ std::optional<Outcome> read_outcome(const std::string &file,
 {
   if (!std::filesystem::exists(file))
     return {};
-  const Json text = io::read_json(file, io::formats::outcome);
+  const io::Json text = io::read_json(file, io::formats::outcome);
   if (!is_whole(text))
   {
     show_line("the outcome \"" + file + "\" is damaged: its run is made again");
     return {};
   }
-  if (text["identity"] != Json::parse(identity))
+  if (text["identity"] != io::Json::parse(identity))
     return {};
   Outcome outcome;
   outcome.kind = member<std::string>(text, "outcome", "");

@@ -16,8 +16,6 @@ namespace contrecoup::study
 {
 namespace
 {
-  using Json = nlohmann::ordered_json;
-
   std::string csv_number(const double value)
   {
     return std::isfinite(value) ? exact(value) : "";
@@ -31,14 +29,14 @@ namespace
     return result + "\"";
   }
 
-  Json json_number(const double value)
+  io::Json json_number(const double value)
   {
-    return std::isfinite(value) ? Json(value) : Json(nullptr);
+    return std::isfinite(value) ? io::Json(value) : io::Json(nullptr);
   }
 
-  Json json_numbers(const std::vector<double> &values)
+  io::Json json_numbers(const std::vector<double> &values)
   {
-    Json numbers = Json::array();
+    io::Json numbers = io::Json::array();
     for (const double value : values)
       numbers.push_back(json_number(value));
     return numbers;
@@ -296,7 +294,8 @@ std::string to_markdown(const StudyParameters &parameters,
 std::string to_json(const StudyParameters &parameters,
                     const StudyResult &result)
 {
-  Json rows = Json::array(), factors = Json::array(), columns = Json::array();
+  io::Json rows = io::Json::array(), factors = io::Json::array(),
+           columns = io::Json::array();
   for (const Column &column : result.columns)
     columns.push_back({{"address", column.address},
                        {"title", column.title},
@@ -323,22 +322,22 @@ std::string to_json(const StudyParameters &parameters,
                     {"lower_limits", row.lower_limits},
                     {"front", row.on_front}});
   }
-  const Json json = {
+  const io::Json json = {
     {"format", io::formats::study.number},
     {"title", parameters.title},
     {"mode", parameters.mode},
     {"cost", parameters.cost},
     {"error",
-     parameters.error.is_active() ? Json(parameters.error.title())
-                                  : Json(nullptr)},
+     parameters.error.is_active() ? io::Json(parameters.error.title())
+                                  : io::Json(nullptr)},
     {"wanted", parameters.error.required_error()},
     {"factors", factors},
     {"columns", columns},
     {"reference_columns", json_numbers(result.reference_columns)},
     {"series", result.series},
     {"recommended",
-     result.recommended ? Json(*result.recommended) : Json(nullptr)},
+     result.recommended ? io::Json(*result.recommended) : io::Json(nullptr)},
     {"rows", rows}};
-  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json.dump(1, ' ', false, io::Json::error_handler_t::replace) + "\n";
 }
 } // namespace contrecoup::study

@@ -23,8 +23,6 @@ namespace contrecoup::study
 namespace
 {
   namespace fs = std::filesystem;
-  using Json = nlohmann::json;
-
   constexpr const char *summary_file = "summary.json";
 
   /// Administrative files, which hold no results.
@@ -76,7 +74,7 @@ namespace
                                   : trim((unit == "-" ? "" : unit) + " s");
   }
 
-  std::string unit_in(const Json &object)
+  std::string unit_in(const nlohmann::json &object)
   {
     return object.is_object() && object.contains("unit") &&
                object["unit"].is_string()
@@ -161,7 +159,7 @@ void RunOutputs::add_files(const std::string &folder,
     if (ends_with(file, ".json") && !is_administrative(file))
     {
       std::ifstream input(path);
-      Json content = Json::parse(input, nullptr, false);
+      nlohmann::json content = nlohmann::json::parse(input, nullptr, false);
       if (content.is_object())
         content.erase("format");
       add_object(
@@ -189,7 +187,7 @@ void RunOutputs::add(const std::string &address,
     names_.push_back(address);
 }
 
-void RunOutputs::add_object(const Json &node,
+void RunOutputs::add_object(const nlohmann::json &node,
                             const std::string &begin,
                             const std::string &path,
                             const std::string &unit)

@@ -14,39 +14,37 @@ namespace contrecoup::study
 namespace
 {
   using io::read_json;
-  using Json = nlohmann::ordered_json;
-
-  const Json &member(const Json &object, const char *const name)
+  const io::Json &member(const io::Json &object, const char *const name)
   {
-    static const Json none;
+    static const io::Json none;
     return object.is_object() && object.contains(name) ? object[name] : none;
   }
 
-  double number(const Json &object, const char *const name)
+  double number(const io::Json &object, const char *const name)
   {
-    const Json &value = member(object, name);
+    const io::Json &value = member(object, name);
     return value.is_number() ? value.get<double>() : RunRecord::unknown;
   }
 
-  std::string text(const Json &object, const char *const name)
+  std::string text(const io::Json &object, const char *const name)
   {
-    const Json &value = member(object, name);
+    const io::Json &value = member(object, name);
     return value.is_string() ? value.get<std::string>() : "";
   }
 
   /// Adds the warnings of a summary or of scene.json that are not known yet.
-  void add_warnings(const Json &summary, RunRecord &record)
+  void add_warnings(const io::Json &summary, RunRecord &record)
   {
-    for (const Json &warning : member(summary, "warnings"))
+    for (const io::Json &warning : member(summary, "warnings"))
       if (warning.is_string() &&
           std::find(record.warnings.begin(), record.warnings.end(), warning) ==
             record.warnings.end())
         record.warnings.push_back(warning);
   }
 
-  RunRecord of_summary(const Json &summary)
+  RunRecord of_summary(const io::Json &summary)
   {
-    const Json &performance = member(summary, "performance");
+    const io::Json &performance = member(summary, "performance");
     RunRecord record;
     record.status = text(summary, "status");
     record.message = text(summary, "message");
@@ -70,9 +68,9 @@ namespace
 
   /// Adds a stage, a row of scene.json.
   void
-  add_stage(const std::string &folder, const Json &stage, RunRecord &record)
+  add_stage(const std::string &folder, const io::Json &stage, RunRecord &record)
   {
-    const Json summary =
+    const io::Json summary =
       read_json(folder + "/" + text(stage, "folder") + "/summary.json",
                 io::formats::summary);
     const RunRecord own = of_summary(summary);
@@ -93,17 +91,17 @@ namespace
 
 RunRecord read_record(const std::string &folder)
 {
-  const Json summary =
+  const io::Json summary =
     read_json(folder + "/summary.json", io::formats::summary);
   if (summary.is_object())
     return of_summary(summary);
   RunRecord record;
   record.status =
     text(read_json(folder + "/manifest.json", io::formats::manifest), "status");
-  const Json scene = read_json(folder + "/scene.json", io::formats::scene);
-  const Json &stages = member(scene, "stages");
+  const io::Json scene = read_json(folder + "/scene.json", io::formats::scene);
+  const io::Json &stages = member(scene, "stages");
   if (stages.is_array())
-    for (const Json &stage : stages)
+    for (const io::Json &stage : stages)
       add_stage(folder, stage, record);
   add_warnings(scene, record);
   return record;

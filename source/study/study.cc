@@ -25,8 +25,6 @@ namespace contrecoup::study
 namespace
 {
   namespace fs = std::filesystem;
-  using Json = nlohmann::ordered_json;
-
   constexpr const char *marker = "study.json";
   /// Lines of progress, and of failures or remarks, on the screen.
   constexpr std::size_t most_lines = 10, most_failures = 3;
@@ -120,9 +118,9 @@ namespace
   }
 
   /// Order between the two finest meshes of each series.
-  Json last_orders(const StudyResult &result)
+  io::Json last_orders(const StudyResult &result)
   {
-    Json orders = Json::object();
+    io::Json orders = io::Json::object();
     std::map<std::size_t, double> finest;
     for (const ResultRow &row : result.rows)
       if (std::isfinite(row.order) &&
@@ -364,8 +362,8 @@ void Study::write_summary(const std::string &status,
                           const std::size_t n_variants,
                           const StudyResult &result) const
 {
-  const Json orders = last_orders(result);
-  Json summary = {
+  const io::Json orders = last_orders(result);
+  io::Json summary = {
     {"application", "study"},
     {"format", io::formats::summary.number},
     {"version", version()},
@@ -377,7 +375,7 @@ void Study::write_summary(const std::string &status,
     {"failed_variants", result.n_unfinished()},
     {"outcomes", count_outcomes(result)},
     {"wall_seconds", seconds},
-    {"errors", Json::object()},
+    {"errors", io::Json::object()},
     {"orders", orders},
     {"warnings", Log::instance().warnings()}};
   if (orders.size() == 1)

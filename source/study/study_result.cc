@@ -18,8 +18,6 @@ namespace contrecoup::study
 {
 namespace
 {
-  using Json = nlohmann::json;
-
   double cost_of(const RunRecord &record, const std::string &cost)
   {
     return cost == "core seconds"   ? record.core_seconds
@@ -140,11 +138,11 @@ namespace
   }
 
   /// Summary of a run; null if it cannot be read.
-  Json read_summary(const std::string &folder)
+  nlohmann::json read_summary(const std::string &folder)
   {
-    const Json summary =
+    const nlohmann::json summary =
       io::read_json(folder + "/summary.json", io::formats::summary);
-    return summary.is_object() ? summary : Json();
+    return summary.is_object() ? summary : nlohmann::json();
   }
 
   std::vector<double> values_of(const std::vector<Column> &columns,

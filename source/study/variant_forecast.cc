@@ -85,11 +85,6 @@ namespace
     return pattern.substr(0, pattern.find('*'));
   }
 
-  bool begins_with(const std::string &text, const std::string &begin)
-  {
-    return text.compare(0, begin.size(), begin) == 0;
-  }
-
   bool contains(const std::string &text, const char letter)
   {
     return text.find(letter) != std::string::npos;

@@ -66,13 +66,13 @@ public:
   /// Parts of the velocities, 1 at the start: along the mode, and across it.
   std::pair<double, double> parts() const
   {
-    const auto start = bar_->space.positions(AleState::width);
+    const auto start = bar_->space.positions(node_width);
     double product = 0., norm = 0., square = 0.;
     for (std::size_t n = 0; n < bar_->space.n_nodes(); ++n)
     {
-      const double *x = &start[AleState::width * n];
+      const double *x = &start[node_width * n];
       const auto v = bar_->velocity(n), m = mode({x[0], x[1], x[2]});
-      const double mass = 1. / bar_->state.velocity[AleState::width * n + 3];
+      const double mass = 1. / bar_->state.velocity[node_width * n + 3];
       product += mass * (v * m);
       norm += mass * (m * m);
       square += mass * (v * v);

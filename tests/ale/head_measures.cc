@@ -53,7 +53,7 @@ public:
     for (Region &region : regions)
       region.law = material;
     step_.reinit(space_, regions, {}, [](double) { return Vector(); });
-    state_.position = start_ = space_.positions(AleState::width);
+    state_.position = start_ = space_.positions(node_width);
     state_.velocity.resize(start_.size());
     state_.mass.resize(space_.n_cells());
     state_.mass.fill(1e-3);
@@ -81,14 +81,14 @@ public:
     state_.time = time;
     for (std::size_t n = 0; n < space_.n_nodes(); ++n)
     {
-      const double *x = &start_[AleState::width * n];
+      const double *x = &start_[node_width * n];
       const Point start(x[0], x[1], x[2]);
       const Point now(place(start));
       const Vector speed(velocity(start));
       for (unsigned int d = 0; d < 3; ++d)
       {
-        state_.position[AleState::width * n + d] = now[d];
-        state_.velocity[AleState::width * n + d] = speed[d];
+        state_.position[node_width * n + d] = now[d];
+        state_.velocity[node_width * n + d] = speed[d];
       }
     }
     measures_.follow(space_, step_, state_);

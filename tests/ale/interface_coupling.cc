@@ -66,7 +66,7 @@ struct LiquidOnSolid
       [](double) { return dealii::Tensor<1, 3>(); },
       {},
       coupling);
-    state.position = space.positions(AleState::width);
+    state.position = space.positions(node_width);
     state.velocity.resize(state.position.size());
     state.mass.resize(space.n_cells());
     state.energy.resize(space.n_cells());
@@ -87,9 +87,8 @@ struct LiquidOnSolid
   {
     double sum = 0.;
     for (std::size_t n = 0; n < space.n_locally_owned_nodes(); ++n)
-      if (std::abs(space.positions(AleState::width)[AleState::width * n] -
-                   0.01) < 1e-9)
-        sum += state.velocity[AleState::width * n];
+      if (std::abs(space.positions(node_width)[node_width * n] - 0.01) < 1e-9)
+        sum += state.velocity[node_width * n];
     return dealii::Utilities::MPI::sum(sum, MPI_COMM_WORLD);
   }
 

@@ -11,14 +11,14 @@ namespace contrecoup
 inline dealii::AlignedVector<double>
 wavy(const Slab &slab, const double amplitude, const unsigned int mode)
 {
-  auto result = slab.space.positions(ale::AleState::width);
+  auto result = slab.space.positions(ale::node_width);
   double upper[3] = {0., 0., 0.};
   for (const auto &vertex : slab.mesh.get_vertices())
     for (unsigned int d = 0; d < 3; ++d)
       upper[d] = std::max(upper[d], vertex[d]);
   for (std::size_t n = 0; n < slab.space.n_nodes(); ++n)
   {
-    double *x = &result[ale::AleState::width * n];
+    double *x = &result[ale::node_width * n];
     double phase[3];
     for (unsigned int d = 0; d < 3; ++d)
       phase[d] = dealii::numbers::PI * x[d] / upper[d];
@@ -34,7 +34,7 @@ wavy(const Slab &slab, const double amplitude, const unsigned int mode)
 inline dealii::AlignedVector<double>
 shaken(const Slab &slab, const double amplitude, const unsigned int seed = 0)
 {
-  auto result = slab.space.positions(ale::AleState::width);
+  auto result = slab.space.positions(ale::node_width);
   double upper[3] = {0., 0., 0.};
   for (const auto &vertex : slab.mesh.get_vertices())
     for (unsigned int d = 0; d < 3; ++d)
@@ -42,7 +42,7 @@ shaken(const Slab &slab, const double amplitude, const unsigned int seed = 0)
   for (std::size_t n = 0; n < slab.space.n_nodes(); ++n)
     for (unsigned int d = 0; d < 3; ++d)
     {
-      double &x = result[ale::AleState::width * n + d];
+      double &x = result[ale::node_width * n + d];
       const double wild =
         43758.5453 *
         std::sin(12.9898 * slab.space.node_number(n) + 78.233 * d + 3.7 * seed);

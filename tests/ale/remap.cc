@@ -11,7 +11,7 @@ using namespace contrecoup::ale;
 
 namespace
 {
-constexpr unsigned int width = AleState::width;
+constexpr unsigned int width = node_width;
 
 struct Errors
 {

@@ -22,8 +22,8 @@ double largest_outflow(const Slab &slab,
     for (unsigned int i = 0; i < 4; ++i)
       for (unsigned int d = 0; d < 3; ++d)
       {
-        before[i][d] = slab.state.position[AleState::width * face.nodes[i] + d];
-        after[i][d] = position[AleState::width * face.nodes[i] + d];
+        before[i][d] = slab.state.position[node_width * face.nodes[i] + d];
+        after[i][d] = position[node_width * face.nodes[i] + d];
       }
     const double swept = swept_moments(before, after).volume;
     if (face.outside != HexSpace::no_cell)
@@ -133,9 +133,8 @@ TEST(RemapBounds, bounds_velocities_when_strict)
   for (std::size_t n = 0; n < slab.space.n_nodes(); ++n)
     for (unsigned int d = 0; d < 3; ++d)
     {
-      const double *const x = &slab.state.position[AleState::width * n];
-      slab.state.velocity[AleState::width * n + d] =
-        x[d] + x[0] < 0.7 ? 2. + d : 7.;
+      const double *const x = &slab.state.position[node_width * n];
+      slab.state.velocity[node_width * n + d] = x[d] + x[0] < 0.7 ? 2. + d : 7.;
     }
   const auto totals = slab.totals();
   Remap remap;
@@ -146,8 +145,8 @@ TEST(RemapBounds, bounds_velocities_when_strict)
     for (std::size_t n = 0; n < slab.space.n_locally_owned_nodes(); ++n)
       for (unsigned int d = 0; d < 3; ++d)
       {
-        ASSERT_GT(slab.state.velocity[AleState::width * n + d], 2. + d - 1e-13);
-        ASSERT_LT(slab.state.velocity[AleState::width * n + d], 7. + 1e-13);
+        ASSERT_GT(slab.state.velocity[node_width * n + d], 2. + d - 1e-13);
+        ASSERT_LT(slab.state.velocity[node_width * n + d], 7. + 1e-13);
       }
   }
   const auto after = slab.totals();
@@ -172,7 +171,7 @@ TEST(RemapBounds, bears_large_motion_at_a_thousandfold_density)
     });
     const auto home = slab.state.position;
     auto away = home;
-    for (double *x = away.begin(); x < away.end(); x += AleState::width)
+    for (double *x = away.begin(); x < away.end(); x += node_width)
       if (*x > 1e-6 && *x < 1. - 1e-6)
         *x += 0.9 * 0.05;
     const double mass = slab.totals().mass;

@@ -12,7 +12,7 @@ using namespace contrecoup::ale;
 
 namespace
 {
-constexpr unsigned int stride = AleState::width;
+constexpr unsigned int stride = node_width;
 using Place = std::function<dealii::Point<3>(const dealii::Point<3> &)>;
 
 /// A box of gas that is put somewhere, and moves in it; smoothed at times.

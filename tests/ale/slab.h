@@ -59,7 +59,7 @@ struct Slab
       result[0] = acceleration;
       return result;
     });
-    state.position = space.positions(ale::AleState::width);
+    state.position = space.positions(ale::node_width);
     state.velocity.resize(state.position.size());
     state.mass.resize(space.n_cells());
     state.energy.resize(space.n_cells());
@@ -72,7 +72,7 @@ struct Slab
     for (unsigned int i = 0; i < 8; ++i)
       for (unsigned int d = 0; d < 3; ++d)
         result[i][d] =
-          state.position[ale::AleState::width * space.cell(cell)[i] + d];
+          state.position[ale::node_width * space.cell(cell)[i] + d];
     return result;
   }
 

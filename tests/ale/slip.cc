@@ -21,7 +21,7 @@ namespace
 struct TwoLayers
 {
   using Velocity = dealii::Tensor<1, 3>;
-  static constexpr unsigned int width = AleState::width;
+  static constexpr unsigned int width = node_width;
   static constexpr double height = 0.02;
 
   TwoLayers(const bool slides,

@@ -62,7 +62,7 @@ struct SolidBar
       [acceleration = options.acceleration](double) { return acceleration; },
       planes);
     const double density = options.region.solid()->density;
-    state.position = space.positions(ale::AleState::width);
+    state.position = space.positions(ale::node_width);
     state.velocity.resize(state.position.size());
     state.mass.resize(space.n_cells());
     for (std::size_t c = 0; c < space.n_cells(); ++c)
@@ -77,20 +77,20 @@ struct SolidBar
     {
       const auto v = velocity(place(n));
       for (unsigned int d = 0; d < 3; ++d)
-        state.velocity[ale::AleState::width * n + d] = v[d];
+        state.velocity[ale::node_width * n + d] = v[d];
     }
     step.start(state);
   }
 
   dealii::Point<3> place(const std::size_t node) const
   {
-    const double *x = &state.position[ale::AleState::width * node];
+    const double *x = &state.position[ale::node_width * node];
     return {x[0], x[1], x[2]};
   }
 
   Vector velocity(const std::size_t node) const
   {
-    const double *v = &state.velocity[ale::AleState::width * node];
+    const double *v = &state.velocity[ale::node_width * node];
     return Vector({v[0], v[1], v[2]});
   }
 

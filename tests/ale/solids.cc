@@ -54,8 +54,8 @@ void expect_relaxation(const double relaxation_time)
                 [](const dealii::Point<3> &) { return Vector(); });
   AleState &state = cube.state;
   for (std::size_t node = 0; node < cube.space.n_nodes(); ++node)
-    state.position[AleState::width * node] +=
-      1e-3 * state.position[AleState::width * node + 1];
+    state.position[node_width * node] +=
+      1e-3 * state.position[node_width * node + 1];
   CornerForces forces;
   forces.reinit(cube.space, {region});
   dealii::AlignedVector<double> force(state.position.size());
@@ -70,9 +70,9 @@ void expect_relaxation(const double relaxation_time)
     const auto nodes = cube.space.cell(0);
     double largest = 0.;
     for (const std::uint32_t node : nodes)
-      if (state.position[AleState::width * node + 1] > 0.5)
+      if (state.position[node_width * node + 1] > 0.5)
         largest = std::max(largest,
-                           std::abs(force[AleState::width * node] /
+                           std::abs(force[node_width * node] /
                                     cube.space.cells_around(node).size()));
     EXPECT_NEAR(largest, expected, 1e-9 * expected)
       << relaxation_time << " s, step " << i;
@@ -116,8 +116,8 @@ TEST(Solids, SpinWithoutStress)
   const double angle = 0.1 * pi;
   for (std::size_t node = 0; node < cube.space.n_nodes(); ++node)
   {
-    const auto start = cube.space.positions(AleState::width);
-    const double *x = &start[AleState::width * node];
+    const auto start = cube.space.positions(node_width);
+    const double *x = &start[node_width * node];
     const double dx = x[0] - 0.01, dy = x[1] - 0.01;
     const auto now = cube.place(node);
     EXPECT_NEAR(

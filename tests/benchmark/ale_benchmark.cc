@@ -22,7 +22,7 @@ namespace
 using namespace contrecoup;
 using namespace contrecoup::ale;
 
-constexpr unsigned int n = 64, width = AleState::width;
+constexpr unsigned int n = 64, width = node_width;
 
 double wall_time()
 {

@@ -10,6 +10,9 @@
 
 namespace contrecoup
 {
+/// Largest exponent R V that is evaluated: exp(-90) = 8e-40.
+constexpr double largest_cold_exponent = 90.;
+
 /// Cold curve and Grueneisen coefficient at one density and mass fraction.
 template <typename Number>
 struct ColdState

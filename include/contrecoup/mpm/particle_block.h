@@ -102,4 +102,14 @@ private:
   std::size_t capacity_ = 0;
   dealii::AlignedVector<double> values_;
 };
+
+/// The vector of a particle in three columns from @p first on.
+inline dealii::Tensor<1, 3> vector_of(const ParticleBlock &block,
+                                      const unsigned int first,
+                                      const std::size_t particle)
+{
+  return dealii::Tensor<1, 3>({block[first][particle],
+                               block[first + 1][particle],
+                               block[first + 2][particle]});
+}
 } // namespace contrecoup::mpm

@@ -68,7 +68,7 @@ void ShellPressures::follow(const HexSpace &space,
 {
   if (places_.empty() && !probes.empty())
   {
-    const auto start = space.positions(AleState::width);
+    const auto start = space.positions(node_width);
     for (const std::uint32_t cell : probes)
     {
       places_.emplace_back();

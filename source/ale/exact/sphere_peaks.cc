@@ -56,7 +56,7 @@ void SpherePeaks::follow(const HexSpace &space,
     for (unsigned int k = 0; k < 8; ++k)
       for (unsigned int d = 0; d < 3; ++d)
         corners[k][d] =
-          state.position[AleState::width * space.cell(probes[i])[k] + d];
+          state.position[node_width * space.cell(probes[i])[k] + d];
     const auto moments = hex_moments(corners);
     dealii::Point<3> centre;
     for (unsigned int d = 0; d < 3; ++d)

@@ -11,15 +11,13 @@ namespace
 {
   namespace mpi = dealii::Utilities::MPI;
 
-  constexpr unsigned int width = AleState::width;
-
   dealii::Tensor<1, 3> mean_over(const std::array<std::uint32_t, 8> &cell,
                                  const dealii::AlignedVector<double> &field)
   {
     dealii::Tensor<1, 3> result;
     for (const std::uint32_t node : cell)
       for (unsigned int d = 0; d < 3; ++d)
-        result[d] += 0.125 * field[width * node + d];
+        result[d] += 0.125 * field[node_width * node + d];
     return result;
   }
 } // namespace

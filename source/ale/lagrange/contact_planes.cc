@@ -13,16 +13,7 @@
 namespace contrecoup::ale
 {
 namespace
-{
-  constexpr unsigned int width = AleState::width;
-
-  dealii::Tensor<1, 3> vector_at(const dealii::AlignedVector<double> &field,
-                                 const std::uint32_t node)
-  {
-    const double *const values = &field[width * node];
-    return dealii::Tensor<1, 3>({values[0], values[1], values[2]});
-  }
-} // namespace
+{} // namespace
 
 
 void ContactPlanes::declare_parameters(ParameterHandler &prm)
@@ -113,7 +104,7 @@ void ContactPlanes::apply(dealii::AlignedVector<double> &velocity,
         slowed = -std::min(1., plane.friction * inwards / speed) * along;
       const auto change = inwards * plane.normal + slowed;
       for (unsigned int d = 0; d < 3; ++d)
-        velocity[width * at.node + d] += change[d];
+        velocity[node_width * at.node + d] += change[d];
       corrections_.push_back({at, inwards, plane.normal, slowed});
     }
 }
@@ -130,7 +121,7 @@ ContactPlanes::measures(const dealii::AlignedVector<double> &mean,
     const std::uint32_t node = correction.at.node;
     if (node >= space_->n_locally_owned_nodes())
       continue;
-    const double mass = 1. / velocity[width * node + 3];
+    const double mass = 1. / velocity[node_width * node + 3];
     const auto v = vector_at(mean, node);
     result.force += mass * correction.normal / step;
     result.area += correction.at.area;

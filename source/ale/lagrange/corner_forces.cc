@@ -13,7 +13,6 @@ namespace contrecoup::ale
 {
 namespace
 {
-  constexpr unsigned int width = AleState::width;
   using Lane = CellBatches::Lane;
 
   /// Least hourglass modulus over the bulk modulus.
@@ -26,9 +25,9 @@ namespace
     HexVectors<Lane> result;
     for (unsigned int corner = 0; corner < 8; ++corner)
     {
-      Lane values[width];
+      Lane values[node_width];
       dealii::vectorized_load_and_transpose(
-        width, field.data(), offsets + CellBatches::n * corner, values);
+        node_width, field.data(), offsets + CellBatches::n * corner, values);
       for (unsigned int d = 0; d < 3; ++d)
         result[corner][d] = values[d];
     }
@@ -73,13 +72,13 @@ void CornerForces::reinit(const HexSpace &space,
 {
   space_ = &space;
   regions_ = regions;
-  batches_.reinit(space, width);
+  batches_.reinit(space, node_width);
   for (const CellBatches::Range &range : batches_.ranges())
     if (range.region >= regions.size())
       throw InputError("Mesh: material id " + std::to_string(range.region) +
                        " is none of the " + std::to_string(regions.size()) +
                        " regions");
-  undeformed_ = space.positions(width);
+  undeformed_ = space.positions(node_width);
   forces_.resize(24 * batches_.n_batches());
 }
 
@@ -92,7 +91,7 @@ void CornerForces::store(const unsigned int batch,
   Lane *stored = &forces_[24 * batch];
   for (unsigned int corner = 0; corner < 8; ++corner)
   {
-    Lane values[width];
+    Lane values[node_width];
     for (unsigned int d = 0; d < 3; ++d)
       values[d] = -weight * forces[corner][d];
     if (keeps_forces_)
@@ -101,7 +100,7 @@ void CornerForces::store(const unsigned int batch,
     values[3] = Lane(0.);
     // One lane after the other, because lanes may share a node.
     dealii::vectorized_transpose_and_store(
-      true, width, values, batches_.offsets(batch, corner), force.data());
+      true, node_width, values, batches_.offsets(batch, corner), force.data());
   }
 }
 

@@ -18,20 +18,12 @@ namespace contrecoup::ale
 {
 namespace
 {
-  constexpr unsigned int width = AleState::width;
-
   /// Names of the values of CouplingScheme, in the same order.
   const std::vector<std::string> names{"monolithic",
                                        "loose",
                                        "fixed relaxation",
                                        "Aitken"};
 
-  dealii::Tensor<1, 3> vector_at(const dealii::AlignedVector<double> &field,
-                                 const std::uint32_t node)
-  {
-    const double *const values = &field[width * node];
-    return dealii::Tensor<1, 3>({values[0], values[1], values[2]});
-  }
 } // namespace
 
 
@@ -158,7 +150,7 @@ void InterfaceCoupling::find_nodes(const std::vector<Region> &regions)
   FieldExchange exchange;
   exchange.reinit(space_->nodes(), 2);
   dealii::AlignedVector<double> sums(exchange.size());
-  const auto undeformed = space_->positions(width);
+  const auto undeformed = space_->positions(node_width);
   for (std::size_t c = 0; c < space_->n_locally_owned_cells(); ++c)
   {
     const SolidMaterial *const solid = regions[space_->region(c)].solid();
@@ -186,13 +178,13 @@ void InterfaceCoupling::find_nodes(const std::vector<Region> &regions)
 void InterfaceCoupling::find_free_directions(const SlipWalls &walls)
 {
   // Walls apply a projection plus their own motion; subtract the motion.
-  dealii::AlignedVector<double> moved(width * space_->n_nodes());
+  dealii::AlignedVector<double> moved(node_width * space_->n_nodes());
   walls.apply(moved, 0.);
   for (unsigned int d = 0; d < 3; ++d)
   {
-    dealii::AlignedVector<double> unit(width * space_->n_nodes());
+    dealii::AlignedVector<double> unit(node_width * space_->n_nodes());
     for (std::size_t n = 0; n < space_->n_nodes(); ++n)
-      unit[width * n + d] = 1.;
+      unit[node_width * n + d] = 1.;
     walls.apply(unit, 0.);
     for (Node &node : nodes_)
     {
@@ -219,7 +211,7 @@ bool InterfaceCoupling::balance(const dealii::AlignedVector<double> &velocity,
   }
   for (Node &node : nodes_)
   {
-    const double mass = 1. / velocity[width * node.node + 3];
+    const double mass = 1. / velocity[node_width * node.node + 3];
     node.ratio = mass / node.solid_mass - 1.;
     record_.largest_ratio = std::max(record_.largest_ratio, node.ratio);
     node.uncoupled_acceleration =
@@ -233,7 +225,7 @@ bool InterfaceCoupling::balance(const dealii::AlignedVector<double> &velocity,
     node.imbalance = node.solid_mass * ((1. + node.ratio) * node.now -
                                         node.uncoupled_acceleration);
     for (unsigned int d = 0; d < 3; ++d)
-      force[width * node.node + d] += node.imbalance[d];
+      force[node_width * node.node + d] += node.imbalance[d];
   }
   return !has_diverged_;
 }

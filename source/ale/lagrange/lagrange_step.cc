@@ -11,12 +11,6 @@
 
 namespace contrecoup::ale
 {
-namespace
-{
-  constexpr unsigned int width = AleState::width;
-} // namespace
-
-
 void LagrangeStep::reinit(
   const HexSpace &space,
   const std::vector<Region> &regions,
@@ -27,13 +21,13 @@ void LagrangeStep::reinit(
 {
   space_ = &space;
   acceleration_ = acceleration;
-  walls_.reinit(space, space.positions(width), walls);
+  walls_.reinit(space, space.positions(node_width), walls);
   ties_.reinit(space);
   forces_.reinit(space, regions);
-  node_exchange_.reinit(space.nodes(), width);
+  node_exchange_.reinit(space.nodes(), node_width);
   planes_ = planes;
   planes_.reinit(space,
-                 space.positions(width),
+                 space.positions(node_width),
                  [&](const dealii::types::boundary_id boundary) {
                    return walls.count(boundary) == 0;
                  });
@@ -56,13 +50,13 @@ void LagrangeStep::start(AleState &state)
     if (state.wedge.active())
       weights = hex_corner_weights(corners_of(space_->cell(c), state.position));
     for (unsigned int i = 0; i < 8; ++i)
-      masses[width * space_->cell(c)[i] + 3] += weights[i] * state.mass[c];
+      masses[node_width * space_->cell(c)[i] + 3] += weights[i] * state.mass[c];
   }
   node_exchange_.compress_add(masses);
   node_exchange_.update_ghost_values(masses);
   node_exchange_.update_ghost_values(state.velocity);
   for (std::size_t n = 0; n < space_->n_nodes(); ++n)
-    state.velocity[width * n + 3] = 1. / masses[width * n + 3];
+    state.velocity[node_width * n + 3] = 1. / masses[node_width * n + 3];
   walls_.apply(state.velocity, state.time);
   ties_.find_normals(state.position, walls_);
   ties_.apply(state.velocity);
@@ -84,11 +78,11 @@ void LagrangeStep::accelerate(AleState &state,
   const auto body = acceleration_(state.time);
   for (std::size_t n = 0; n < space_->n_locally_owned_nodes(); ++n)
   {
-    const double *before = &start.velocity[width * n];
-    double *after = &state.velocity[width * n];
+    const double *before = &start.velocity[node_width * n];
+    double *after = &state.velocity[node_width * n];
     for (unsigned int d = 0; d < 3; ++d)
       after[d] =
-        before[d] + step * (force_[width * n + d] * before[3] + body[d]);
+        before[d] + step * (force_[node_width * n + d] * before[3] + body[d]);
     after[3] = before[3];
   }
   node_exchange_.update_ghost_values(state.velocity);
@@ -101,8 +95,9 @@ void LagrangeStep::move(AleState &state,
 {
   for (std::size_t n = 0; n < space_->n_nodes(); ++n)
     for (unsigned int d = 0; d < 3; ++d)
-      state.position[width * n + d] =
-        start.position[width * n + d] + step * state.velocity[width * n + d];
+      state.position[node_width * n + d] =
+        start.position[node_width * n + d] +
+        step * state.velocity[node_width * n + d];
 }
 
 
@@ -120,7 +115,7 @@ double LagrangeStep::move_by_mean(AleState &state,
   double work = 0.;
   for (std::size_t n = 0; n < space_->n_nodes(); ++n)
   {
-    const std::size_t i = width * n;
+    const std::size_t i = node_width * n;
     double change_of_energy = 0., work_of_forces = 0.;
     for (unsigned int d = 0; d < 3; ++d)
     {

@@ -17,8 +17,6 @@ namespace contrecoup::ale
 {
 namespace
 {
-  constexpr unsigned int width = AleState::width;
-
   /// Broadcasts the text of the lowest rank with @p is_owner.
   std::string text_of_owner(const MPI_Comm communicator,
                             const bool is_owner,
@@ -92,7 +90,7 @@ AleTotals LagrangeStep::totals(const AleState &state) const
   }
   for (std::size_t n = 0; n < space_->n_locally_owned_nodes(); ++n)
   {
-    const double *v = &state.velocity[width * n];
+    const double *v = &state.velocity[node_width * n];
     const double mass = 1. / v[3];
     sums[2] += 0.5 * mass * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
     for (unsigned int d = 0; d < 3; ++d)

@@ -12,8 +12,6 @@ namespace contrecoup::ale
 {
 namespace
 {
-  constexpr unsigned int width = AleState::width;
-
   /// Extreme values of a region, and sums over its cells.
   struct Extrema
   {
@@ -45,7 +43,7 @@ namespace
     sums.void_volume += values.void_fraction * values.volume;
     for (const std::uint32_t node : space.cell(cell))
     {
-      const double *v = &state.velocity[width * node];
+      const double *v = &state.velocity[node_width * node];
       const double square = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
       extrema.speed_squared = std::max(extrema.speed_squared, square);
       sums.kinetic_energy += 0.0625 * values.mass * square;

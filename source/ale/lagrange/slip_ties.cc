@@ -11,12 +11,6 @@
 
 namespace contrecoup::ale
 {
-namespace
-{
-  constexpr unsigned int width = AleState::width;
-} // namespace
-
-
 void SlipTies::reinit(const HexSpace &space)
 {
   space_ = &space;
@@ -28,7 +22,7 @@ void SlipTies::reinit(const HexSpace &space)
                                           space.communicator()) == 0;
   if (is_empty_)
     return;
-  exchange_.reinit(space.nodes(), width);
+  exchange_.reinit(space.nodes(), node_width);
   areas_.resize(exchange_.size());
   std::vector<std::uint32_t> held(space.n_nodes());
   for (std::uint32_t node = 0; node < held.size(); ++node)
@@ -56,14 +50,15 @@ void SlipTies::find_normals(const dealii::AlignedVector<double> &position,
     const auto area = face.sign * area_vector(face.nodes, position);
     for (const std::uint32_t node : face.nodes)
       for (unsigned int d = 0; d < 3; ++d)
-        areas_[width * node + d] += 0.25 * area[d];
+        areas_[node_width * node + d] += 0.25 * area[d];
   }
   exchange_.compress_add(areas_);
   exchange_.update_ghost_values(areas_);
   walls.remove_normal_parts(areas_);
   for (std::size_t i = 0; i < normals_.size(); ++i)
   {
-    const double *const area = &areas_[width * space_->sliding_pairs()[i].held];
+    const double *const area =
+      &areas_[node_width * space_->sliding_pairs()[i].held];
     const dealii::Tensor<1, 3> normal({area[0], area[1], area[2]});
     const double size = normal.norm();
     normals_[i] = size > 0. ? normal / size : dealii::Tensor<1, 3>();
@@ -76,8 +71,8 @@ void SlipTies::apply(dealii::AlignedVector<double> &velocity)
   for (std::size_t i = 0; i < normals_.size(); ++i)
   {
     const auto [sliding, held] = space_->sliding_pairs()[i];
-    double *const v = &velocity[width * sliding];
-    double *const w = &velocity[width * held];
+    double *const v = &velocity[node_width * sliding];
+    double *const w = &velocity[node_width * held];
     double difference = 0.;
     for (unsigned int d = 0; d < 3; ++d)
       difference += normals_[i][d] * (w[d] - v[d]);
@@ -99,8 +94,8 @@ double SlipTies::work(const dealii::AlignedVector<double> &mean) const
     const auto [sliding, held] = space_->sliding_pairs()[i];
     if (sliding < space_->n_locally_owned_nodes())
       for (unsigned int d = 0; d < 3; ++d)
-        result += impulses_[i][d] *
-                  (mean[width * sliding + d] - mean[width * held + d]);
+        result += impulses_[i][d] * (mean[node_width * sliding + d] -
+                                     mean[node_width * held + d]);
   }
   return result;
 }
@@ -114,8 +109,9 @@ double SlipTies::largest_slip_speed(
   {
     double square = 0.;
     for (unsigned int d = 0; d < 3; ++d)
-      square +=
-        std::pow(velocity[width * sliding + d] - velocity[width * held + d], 2);
+      square += std::pow(velocity[node_width * sliding + d] -
+                           velocity[node_width * held + d],
+                         2);
     largest = std::max(largest, std::sqrt(square));
   }
   return dealii::Utilities::MPI::max(largest, space_->communicator());

@@ -13,7 +13,7 @@ dealii::Tensor<1, 3> area_vector(const std::array<std::uint32_t, 4> &nodes,
   for (unsigned int d = 0; d < 3; ++d)
   {
     const auto x = [&](const unsigned int i) {
-      return position[AleState::width * nodes[i] + d];
+      return position[node_width * nodes[i] + d];
     };
     first[d] = x(2) - x(0);
     second[d] = x(3) - x(1);

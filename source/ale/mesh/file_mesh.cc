@@ -26,8 +26,6 @@ namespace
   using dealii::Point;
   using Mesh = dealii::Triangulation<3>;
 
-  /// deal.II's vertex number of each corner of HexMesh.
-  constexpr unsigned int vertex_of_corner[] = {0, 1, 3, 2, 4, 5, 7, 6};
 
   constexpr unsigned int no_piece = -1;
 

@@ -17,10 +17,7 @@
 namespace contrecoup::ale
 {
 namespace
-{
-  /// deal.II's vertex number of each corner of HexMesh.
-  constexpr unsigned int corner_of[8] = {0, 1, 3, 2, 4, 5, 7, 6};
-} // namespace
+{} // namespace
 
 
 void require_valid_cells(const dealii::Triangulation<3> &mesh)
@@ -30,7 +27,7 @@ void require_valid_cells(const dealii::Triangulation<3> &mesh)
     HexVectors<double> corners;
     for (unsigned int i = 0; i < 8; ++i)
       for (unsigned int d = 0; d < 3; ++d)
-        corners[i][d] = cell->vertex(corner_of[i])[d];
+        corners[i][d] = cell->vertex(vertex_of_corner[i])[d];
     if (smallest_corner_jacobian(corners) > 0.)
       continue;
     const auto x = cell->center();
@@ -222,7 +219,7 @@ void HexSpace::number_cells(const dealii::Triangulation<3> &mesh)
     cell->get_dof_indices(dofs);
     for (unsigned int i = 0; i < 8; ++i)
     {
-      const unsigned int v = corner_of[i];
+      const unsigned int v = vertex_of_corner[i];
       const std::uint32_t node = node_of(dofs[3 * v]),
                           sliding = sliding_node[node],
                           number = vertices[cell_numbers_[c]][v];

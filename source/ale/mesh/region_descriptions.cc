@@ -24,8 +24,6 @@ namespace
 {
   using boost::algorithm::iequals;
 
-  constexpr unsigned int width = AleState::width;
-
   void declare_state(ParameterHandler &prm)
   {
     declare_string(
@@ -282,7 +280,7 @@ void RegionDescriptions::fill_cell(const HexSpace &space,
 
 void RegionDescriptions::fill(const HexSpace &space, AleState &state) const
 {
-  state.velocity.resize(width * space.n_nodes());
+  state.velocity.resize(node_width * space.n_nodes());
   state.mass.resize(space.n_cells());
   state.energy.resize(space.n_cells());
   state.products.resize(space.n_cells());
@@ -296,7 +294,7 @@ void RegionDescriptions::fill(const HexSpace &space, AleState &state) const
     fill_cell(space, c, state);
   for (std::size_t n = 0; n < space.n_nodes(); ++n)
   {
-    const double *x = &state.position[width * n];
+    const double *x = &state.position[node_width * n];
     const dealii::Point<3> place(x[0], x[1], x[2]);
     // Interface nodes get the mass-weighted mean of the regions' velocities.
     double mass = 0.;
@@ -309,7 +307,7 @@ void RegionDescriptions::fill(const HexSpace &space, AleState &state) const
           state.mass[cell] * at(space, cell).velocity[d].value(place);
     }
     for (unsigned int d = 0; d < 3; ++d)
-      state.velocity[width * n + d] = momentum[d] / mass;
+      state.velocity[node_width * n + d] = momentum[d] / mass;
   }
 }
 

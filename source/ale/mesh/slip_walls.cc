@@ -50,8 +50,8 @@ void SlipWalls::make_mirrored(dealii::AlignedVector<double> &field) const
     for (unsigned int d = 0; d < 3; ++d)
     {
       const double sign = d == wedge_.side() ? -1. : 1.;
-      double &a = field[AleState::width * first + d];
-      double &b = field[AleState::width * second + d];
+      double &a = field[node_width * first + d];
+      double &b = field[node_width * second + d];
       a = 0.5 * (a + sign * b);
       b = sign * a;
     }
@@ -120,7 +120,7 @@ void SlipWalls::set_normal_parts(dealii::AlignedVector<double> &velocity,
       value[n_fixed] = normal_speed / size;
       ++n_fixed;
     }
-    double *v = &velocity[AleState::width * node];
+    double *v = &velocity[node_width * node];
     for (unsigned int k = 0; k < n_fixed; ++k)
     {
       double difference = value[k];

@@ -12,20 +12,13 @@ namespace
   namespace column = mpm::column;
   namespace mpi = dealii::Utilities::MPI;
 
-  dealii::Tensor<1, 3> vector_of(const mpm::ParticleBlock &block,
-                                 const unsigned int first,
-                                 const std::size_t p)
-  {
-    return dealii::Tensor<1, 3>(
-      {block[first][p], block[first + 1][p], block[first + 2][p]});
-  }
 } // namespace
 
 
 double ParticleHead::height_of(const mpm::ParticleBlock &block,
                                const std::size_t particle) const
 {
-  return height(vector_of(block, column::initial_position, particle));
+  return height(mpm::vector_of(block, column::initial_position, particle));
 }
 
 
@@ -82,8 +75,8 @@ void ParticleHead::follow(const std::vector<mpm::ParticleMaterial> &materials,
     [&](const unsigned int m, const mpm::ParticleBlock &block) {
       for (std::size_t p = 0; is_of_head(m) && p < block.size(); ++p)
       {
-        const auto place = vector_of(block, column::position, p),
-                   velocity = vector_of(block, column::velocity, p);
+        const auto place = mpm::vector_of(block, column::position, p),
+                   velocity = mpm::vector_of(block, column::velocity, p);
         head.add(block[column::mass][p], place, velocity);
         if (m == moving_region())
           moving.add(block[column::mass][p], place, velocity);

@@ -23,16 +23,6 @@ namespace
 
   const std::vector<std::string> axes{"x", "y", "z"};
 
-  dealii::Tensor<1, 3> vector_of(const mpm::ParticleBlock &block,
-                                 const unsigned int first,
-                                 const std::size_t p)
-  {
-    dealii::Tensor<1, 3> result;
-    for (unsigned int d = 0; d < 3; ++d)
-      result[d] = block[first + d][p];
-    return result;
-  }
-
   /// Distance of a vector from its exact value; 0 without expressions.
   double distance(const std::vector<Expression> &exact,
                   dealii::Tensor<1, 3> value,
@@ -260,10 +250,11 @@ void ParticleReference::follow(
       {
         if (peaks_.size() < probe)
           peaks_.resize(probe, {{0., 0.}});
-        sphere_->take(dealii::Point<3>(vector_of(block, column::position, p)),
-                      mpm::particle_values(materials[m], block, p).pressure,
-                      time,
-                      peaks_[probe - 1]);
+        sphere_->take(
+          dealii::Point<3>(mpm::vector_of(block, column::position, p)),
+          mpm::particle_values(materials[m], block, p).pressure,
+          time,
+          peaks_[probe - 1]);
       }
   });
 }
@@ -313,35 +304,35 @@ ParticleReference::errors(const std::vector<mpm::ParticleMaterial> &materials,
     return {};
   // Errors of displacement or density, velocity, pressure; volume.
   std::vector<double> sums(4, 0.);
-  particles.for_each_block(
-    [&](const unsigned int m, const mpm::ParticleBlock &block) {
-      for (std::size_t p = 0; p < block.size(); ++p)
+  particles.for_each_block([&](const unsigned int m,
+                               const mpm::ParticleBlock &block) {
+    for (std::size_t p = 0; p < block.size(); ++p)
+    {
+      const double volume = block[column::volume][p];
+      const auto velocity = mpm::vector_of(block, column::velocity, p);
+      const auto values = mpm::particle_values(materials[m], block, p);
+      const dealii::Point<3> place(mpm::vector_of(block, column::position, p)),
+        start(mpm::vector_of(block, column::initial_position, p));
+      if ((flow_ ? place : start).norm() > radius_)
+        continue;
+      sums[3] += volume;
+      if (flow_)
       {
-        const double volume = block[column::volume][p];
-        const auto velocity = vector_of(block, column::velocity, p);
-        const auto values = mpm::particle_values(materials[m], block, p);
-        const dealii::Point<3> place(vector_of(block, column::position, p)),
-          start(vector_of(block, column::initial_position, p));
-        if ((flow_ ? place : start).norm() > radius_)
-          continue;
-        sums[3] += volume;
-        if (flow_)
-        {
-          const FlowState exact = flow_->value(place, time);
-          sums[0] += volume * std::abs(values.density - exact.density);
-          sums[1] += volume * (velocity - exact.velocity).norm();
-          sums[2] += volume * std::abs(values.pressure - exact.pressure);
-          continue;
-        }
-        const auto &exact = *expressions_;
-        sums[0] +=
-          volume * distance(exact.displacement, place - start, start, time);
-        sums[1] += volume * distance(exact.velocity, velocity, start, time);
-        if (!exact.pressure.empty())
-          sums[2] += volume * std::abs(values.pressure -
-                                       exact.pressure[0].value(start, time));
+        const FlowState exact = flow_->value(place, time);
+        sums[0] += volume * std::abs(values.density - exact.density);
+        sums[1] += volume * (velocity - exact.velocity).norm();
+        sums[2] += volume * std::abs(values.pressure - exact.pressure);
+        continue;
       }
-    });
+      const auto &exact = *expressions_;
+      sums[0] +=
+        volume * distance(exact.displacement, place - start, start, time);
+      sums[1] += volume * distance(exact.velocity, velocity, start, time);
+      if (!exact.pressure.empty())
+        sums[2] += volume * std::abs(values.pressure -
+                                     exact.pressure[0].value(start, time));
+    }
+  });
   mpi::sum(sums, communicator, sums);
   std::vector<NamedValue> result;
   if (flow_)

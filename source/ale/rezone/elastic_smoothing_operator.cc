@@ -23,7 +23,6 @@ namespace contrecoup::ale
 {
 namespace
 {
-  constexpr unsigned int width = AleState::width;
   using TrilinosVector = dealii::TrilinosWrappers::MPI::Vector;
 } // namespace
 
@@ -91,7 +90,7 @@ ElasticSmoothing::System::System(HexSpace &space,
       dealii::DoFTools::extract_locally_relevant_dofs(space.node_dofs()))
   , memory_(space)
 {
-  dealii::AlignedVector<double> none(width * space.n_nodes());
+  dealii::AlignedVector<double> none(node_width * space.n_nodes());
   constrain(none);
   dealii::DynamicSparsityPattern pattern(relevant_);
   dealii::DoFTools::make_sparsity_pattern(
@@ -116,7 +115,7 @@ void ElasticSmoothing::System::move_mesh(
     {
       const auto node = space_.node_of(dofs[3 * v]);
       for (unsigned int d = 0; d < 3; ++d)
-        cell->vertex(v)[d] = position[width * node + d];
+        cell->vertex(v)[d] = position[node_width * node + d];
     }
   }
 }
@@ -132,11 +131,12 @@ void ElasticSmoothing::System::constrain(
       if (prescribed_.components[n][d])
       {
         constraints_.add_line(dof(n, d));
-        constraints_.set_inhomogeneity(dof(n, d), displacement[width * n + d]);
+        constraints_.set_inhomogeneity(dof(n, d),
+                                       displacement[node_width * n + d]);
       }
   for (const InclinedNode &slide : prescribed_.inclined)
   {
-    const double *const matter = &displacement[width * slide.node];
+    const double *const matter = &displacement[node_width * slide.node];
     const auto line = dof(slide.node, slide.component);
     double ahead = matter[slide.component];
     constraints_.add_line(line);
@@ -303,7 +303,7 @@ void ElasticSmoothing::System::read(dealii::AlignedVector<double> &displacement)
   all = solution_;
   for (std::size_t n = 0; n < space_.n_nodes(); ++n)
     for (unsigned int d = 0; d < 3 && !space_.is_sliding(n); ++d)
-      displacement[width * n + d] = all[dof(n, d)];
+      displacement[node_width * n + d] = all[dof(n, d)];
   memory_.displacement = displacement;
 }
 
@@ -313,7 +313,7 @@ void ElasticSmoothing::System::resume(const SmoothingMemory &memory)
   memory_ = memory;
   for (std::size_t n = 0; n < space_.n_locally_owned_nodes(); ++n)
     for (unsigned int d = 0; d < 3 && !space_.is_sliding(n); ++d)
-      solution_[dof(n, d)] = memory_.displacement[width * n + d];
+      solution_[dof(n, d)] = memory_.displacement[node_width * n + d];
   solution_.compress(dealii::VectorOperation::insert);
   if (memory_.first_iterations == 0)
     return;
@@ -323,8 +323,8 @@ void ElasticSmoothing::System::resume(const SmoothingMemory &memory)
 
 
 SmoothingMemory::SmoothingMemory(const HexSpace &space)
-  : displacement(width * space.n_nodes())
-  , hierarchy_position(width * space.n_nodes())
+  : displacement(node_width * space.n_nodes())
+  , hierarchy_position(node_width * space.n_nodes())
 {}
 
 

@@ -50,8 +50,8 @@ unsigned int InclinedWalls::wall_around(const HexSpace::Face &face,
   {
     dealii::Tensor<1, 3> way;
     for (unsigned int d = 0; d < 3; ++d)
-      way[d] = position_[AleState::width * node + d] -
-               position_[AleState::width * face.nodes[corner] + d];
+      way[d] = position_[node_width * node + d] -
+               position_[node_width * face.nodes[corner] + d];
     if (std::abs(way * normal) > tolerance * way.norm())
       return none;
   }

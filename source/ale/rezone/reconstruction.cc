@@ -267,7 +267,7 @@ double Reconstruction::change(const std::size_t cell,
 
 dealii::Point<3> Reconstruction::place(const std::size_t node) const
 {
-  const double *x = &(*position_)[AleState::width * node];
+  const double *x = &(*position_)[node_width * node];
   return {x[0], x[1], x[2]};
 }
 

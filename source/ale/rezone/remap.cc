@@ -13,8 +13,6 @@ namespace contrecoup::ale
 {
 namespace
 {
-  constexpr unsigned int width = AleState::width;
-
   /// Half of the squared velocity.
   double half_square(const double *v)
   {
@@ -73,7 +71,7 @@ void Remap::carry_face(const AleState &state,
   for (unsigned int i = 0; i < 4; ++i)
     for (unsigned int d = 0; d < 3; ++d)
     {
-      const std::size_t place = width * face.nodes[i] + d;
+      const std::size_t place = node_width * face.nodes[i] + d;
       before[i][d] = state.position[place];
       after[i][d] = position[place];
       moves = moves || before[i][d] != after[i][d];
@@ -251,7 +249,7 @@ void Remap::collect(AleState &state,
   for (const std::uint32_t c : cells_at_rest_)
     for (const std::uint32_t node : space_->cell(c))
     {
-      const double *v = &state.velocity[width * node];
+      const double *v = &state.velocity[node_width * node];
       const double mass = 0.125 * state.mass[c];
       double *sum = &sums[n * node];
       for (unsigned int d = 0; d < 3; ++d)
@@ -264,11 +262,12 @@ void Remap::collect(AleState &state,
   node_exchange_.update_ghost_values(sums);
   for (std::size_t node = 0; node < space_->n_nodes(); ++node)
   {
-    add_unadvected_mass(state, &state.velocity[width * node], &sums[n * node]);
+    add_unadvected_mass(
+      state, &state.velocity[node_width * node], &sums[n * node]);
     for (unsigned int d = 0; d < 3; ++d)
-      state.velocity[width * node + d] =
+      state.velocity[node_width * node + d] =
         sums[n * node + d] / sums[n * node + 3];
-    state.velocity[width * node + 3] = 1. / sums[n * node + 3];
+    state.velocity[node_width * node + 3] = 1. / sums[n * node + 3];
   }
   walls.apply(state.velocity, state.time);
   ties_.find_normals(position, walls);
@@ -279,7 +278,7 @@ void Remap::collect(AleState &state,
     for (const std::uint32_t node : space_->cell(c))
       result +=
         sums[n * node + 5] * (sums[n * node + 4] / sums[n * node + 3] -
-                              half_square(&state.velocity[width * node]));
+                              half_square(&state.velocity[node_width * node]));
     return 0.125 * result;
   };
   for (const std::uint32_t c : cells_)

@@ -19,8 +19,6 @@ namespace contrecoup::ale
 {
 namespace
 {
-  constexpr unsigned int width = AleState::width;
-
   /// Names of the values of RezoneKind and RemapLimiter, in the same order.
   const std::vector<std::string> names{"none", "elastic", "back"};
   const std::vector<std::string> limiters{"keep smooth extrema", "strict"};
@@ -195,12 +193,12 @@ int Rezone::axis_normal_to(const HexSpace::Face &face) const
     double size = 0.;
     for (const std::uint32_t node : face.nodes)
     {
-      lowest = std::min(lowest, start_[width * node + d]);
-      highest = std::max(highest, start_[width * node + d]);
+      lowest = std::min(lowest, start_[node_width * node + d]);
+      highest = std::max(highest, start_[node_width * node + d]);
       for (unsigned int e = 0; e < 3; ++e)
         size = std::max(size,
-                        std::abs(start_[width * node + e] -
-                                 start_[width * face.nodes[0] + e]));
+                        std::abs(start_[node_width * node + e] -
+                                 start_[node_width * face.nodes[0] + e]));
     }
     if (highest - lowest < 1e-9 * size)
       return static_cast<int>(d);
@@ -294,7 +292,7 @@ dealii::AlignedVector<double> Rezone::smoothed(const AleState &state,
   for (std::size_t n = 0; n < space_->n_nodes(); ++n)
     for (unsigned int d = 0; d < 3; ++d)
     {
-      const std::size_t i = width * n + d;
+      const std::size_t i = node_width * n + d;
       // Fixed nodes must match bitwise, so that nothing is remapped.
       displacement[i] = prescribed_.components[n][d]
                           ? state.position[i]
@@ -303,7 +301,7 @@ dealii::AlignedVector<double> Rezone::smoothed(const AleState &state,
   // The solver is inexact, but wall constraints must hold exactly.
   for (const InclinedNode &slide : prescribed_.inclined)
   {
-    const std::size_t i = width * slide.node;
+    const std::size_t i = node_width * slide.node;
     double ahead = 0.;
     for (unsigned int d = 0; d < 3; ++d)
       ahead += slide.factor[d] * (displacement[i + d] - state.position[i + d]);
@@ -312,7 +310,8 @@ dealii::AlignedVector<double> Rezone::smoothed(const AleState &state,
   }
   for (const auto &[sliding, held] : space_->sliding_pairs())
     for (unsigned int d = 0; d < 3; ++d)
-      displacement[width * sliding + d] = state.position[width * held + d];
+      displacement[node_width * sliding + d] =
+        state.position[node_width * held + d];
   walls.make_mirrored(displacement);
   return displacement;
 }
@@ -329,8 +328,8 @@ Rezone::largest_outflow(const AleState &state,
     for (unsigned int i = 0; i < 4; ++i)
       for (unsigned int d = 0; d < 3; ++d)
       {
-        before[i][d] = state.position[width * face.nodes[i] + d];
-        after[i][d] = position[width * face.nodes[i] + d];
+        before[i][d] = state.position[node_width * face.nodes[i] + d];
+        after[i][d] = position[node_width * face.nodes[i] + d];
       }
     const double swept = swept_moments(before, after).volume;
     const std::uint32_t donor = swept > 0. ? face.outside : face.inside;

@@ -2,17 +2,13 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/ale/run/ale_output.h>
+#include <contrecoup/geometry/mesh/hex_mesh.h>
 #include <contrecoup/io/output/field_output.h>
 
 namespace contrecoup::ale
 {
 namespace
-{
-  constexpr unsigned int width = AleState::width;
-
-  /// deal.II's vertex number of each corner of HexMesh.
-  constexpr unsigned int corner_of[8] = {0, 1, 3, 2, 4, 5, 7, 6};
-} // namespace
+{} // namespace
 
 
 std::string write_ale(const HexSpace &space,
@@ -36,11 +32,12 @@ std::string write_ale(const HexSpace &space,
     for (unsigned int i = 0; i < 8; ++i)
     {
       const std::uint32_t node = space.cell(c)[i];
-      const unsigned int v = corner_of[i];
+      const unsigned int v = vertex_of_corner[i];
       for (unsigned int d = 0; d < 3; ++d)
       {
-        patch.vertices[v][d] = state.position[width * node + d];
-        patch.data(d, v) = static_cast<float>(state.velocity[width * node + d]);
+        patch.vertices[v][d] = state.position[node_width * node + d];
+        patch.data(d, v) =
+          static_cast<float>(state.velocity[node_width * node + d]);
       }
       patch.data(3, v) = static_cast<float>(element.mass / element.volume);
       patch.data(4, v) = static_cast<float>(element.pressure);

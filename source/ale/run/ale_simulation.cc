@@ -17,12 +17,6 @@
 
 namespace contrecoup::ale
 {
-namespace
-{
-  constexpr unsigned int width = AleState::width;
-} // namespace
-
-
 void AleSimulation::declare_parameters(ParameterHandler &prm)
 {
   MeshDescription::declare_parameters(prm);
@@ -151,7 +145,7 @@ void AleSimulation::build()
   state_ = AleState();
   state_.wedge = mesh_description_.wedge();
   lagrange_.mirror(state_.wedge);
-  state_.position = space_.positions(width);
+  state_.position = space_.positions(node_width);
   regions_.fill(space_, state_);
   least_pressures_.assign(regions_.regions().size(), 0.);
   rezone_.reinit(space_, state_, regions_.regions(), mesh_description_.walls());
@@ -189,7 +183,7 @@ void AleSimulation::find_probe_cells()
       dealii::Point<3> centre;
       for (const std::uint32_t node : space_.cell(c))
         for (unsigned int d = 0; d < 3; ++d)
-          centre[d] += 0.125 * state_.position[width * node + d];
+          centre[d] += 0.125 * state_.position[node_width * node + d];
       const double distance = centre.distance(probe_places_[i]);
       if (distance < nearest * (1. - 1e-12))
       {

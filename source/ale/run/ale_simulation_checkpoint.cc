@@ -16,8 +16,6 @@ namespace contrecoup::ale
 {
 namespace
 {
-  constexpr unsigned int width = AleState::width;
-
   /// Header of each checkpoint file: global values.
   struct CheckpointHeader
   {
@@ -43,7 +41,7 @@ namespace
   struct NodeRecord
   {
     std::uint32_t node;
-    std::array<double, 2 * AleState::width> values;
+    std::array<double, 2 * node_width> values;
     std::array<double, 3> reference;
     std::array<double, 6> smoothing;
   };
@@ -98,17 +96,17 @@ void AleSimulation::save(const std::string &folder)
     for (std::size_t n = 0; n < space_.n_locally_owned_nodes(); ++n)
     {
       NodeRecord record{space_.node_number(n), {}, {}, {}};
-      for (unsigned int d = 0; d < width; ++d)
+      for (unsigned int d = 0; d < node_width; ++d)
       {
-        record.values[d] = state_.position[width * n + d];
-        record.values[width + d] = state_.velocity[width * n + d];
+        record.values[d] = state_.position[node_width * n + d];
+        record.values[node_width + d] = state_.velocity[node_width * n + d];
       }
       for (unsigned int d = 0; d < 3; ++d)
-        record.reference[d] = rezone_.reference()[width * n + d];
+        record.reference[d] = rezone_.reference()[node_width * n + d];
       for (unsigned int d = 0; d < 3; ++d)
       {
-        record.smoothing[d] = memory.displacement[width * n + d];
-        record.smoothing[3 + d] = memory.hierarchy_position[width * n + d];
+        record.smoothing[d] = memory.displacement[node_width * n + d];
+        record.smoothing[3 + d] = memory.hierarchy_position[node_width * n + d];
       }
       write_binary(out, record);
     }
@@ -195,16 +193,16 @@ void AleSimulation::restore(const std::string &folder)
       if (found == nodes.end())
         continue;
       const std::size_t n = found->second;
-      for (unsigned int d = 0; d < width; ++d)
+      for (unsigned int d = 0; d < node_width; ++d)
       {
-        state_.position[width * n + d] = record.values[d];
-        state_.velocity[width * n + d] = record.values[width + d];
+        state_.position[node_width * n + d] = record.values[d];
+        state_.velocity[node_width * n + d] = record.values[node_width + d];
       }
       for (unsigned int d = 0; d < 3; ++d)
       {
-        rezone_.reference()[width * n + d] = record.reference[d];
-        memory.displacement[width * n + d] = record.smoothing[d];
-        memory.hierarchy_position[width * n + d] = record.smoothing[3 + d];
+        rezone_.reference()[node_width * n + d] = record.reference[d];
+        memory.displacement[node_width * n + d] = record.smoothing[d];
+        memory.hierarchy_position[node_width * n + d] = record.smoothing[3 + d];
       }
     }
     restore_cells(in, header.n_cells, cells);

@@ -18,11 +18,6 @@ namespace contrecoup
 {
 namespace
 {
-  bool begins_with(const std::string &text, const std::string &mark)
-  {
-    return text.compare(0, mark.size(), mark) == 0;
-  }
-
   /// Whether a byte never occurs in UTF-8 text.
   bool is_binary(const char letter)
   {

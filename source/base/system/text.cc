@@ -23,6 +23,12 @@ namespace
   }
 } // namespace
 
+bool begins_with(const std::string &text, const std::string &beginning)
+{
+  return text.compare(0, beginning.size(), beginning) == 0;
+}
+
+
 std::string trim(const std::string &text)
 {
   const char *white = " \t\r\n";

@@ -35,8 +35,6 @@ namespace coupling
 {
   namespace
   {
-    using Json = nlohmann::ordered_json;
-
     /// Builds the mesh of one body and writes it to a folder.
     class AnatomyRun
     {
@@ -329,7 +327,7 @@ namespace coupling
       void write_summary(const BodyReport &report) const
       {
         const ReportRow &body = report.body();
-        Json errors = Json::object();
+        io::Json errors = io::Json::object();
         unsigned int n_held = 0;
         for (const OrganCheck &check : report.checks)
         {
@@ -340,7 +338,7 @@ namespace coupling
         }
         if (parameters_.body.kind() == "phantom" && !report.checks.empty())
           errors["mass"] = body.mass / parameters_.body.reference_mass() - 1.;
-        Json summary = {
+        io::Json summary = {
           {"application", "anatomy"},
           {"format", io::formats::summary.number},
           {"version", version()},

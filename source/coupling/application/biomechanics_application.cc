@@ -22,8 +22,8 @@ namespace
     return simulation;
   }
 
-  std::unique_ptr<Simulation> create_any(ParameterHandler &prm,
-                                         const MPI_Comm communicator)
+  std::unique_ptr<Simulation> create_biomechanics(ParameterHandler &prm,
+                                                  const MPI_Comm communicator)
   {
     bool single = false;
     {
@@ -127,7 +127,7 @@ io::ApplicationDescription biomechanics_application()
     "Follows stress waves through a deformable body, with an energy "
     "audit that can fail.",
     solid::SolidSimulation<double>::declare_parameters,
-    create_any,
+    create_biomechanics,
     {"Energy audit/",
      "Elements/Step safety",
      "Elements/Largest number of retries"},

@@ -40,8 +40,8 @@ namespace
     return simulation;
   }
 
-  std::unique_ptr<Simulation> create_any(ParameterHandler &prm,
-                                         const MPI_Comm communicator)
+  std::unique_ptr<Simulation> create_blast(ParameterHandler &prm,
+                                           const MPI_Comm communicator)
   {
     int dimension = 0;
     {
@@ -59,7 +59,7 @@ namespace
     }
   }
 
-  io::FileNames files(const ParameterHandler &prm)
+  io::FileNames files_of_blast(const ParameterHandler &prm)
   {
     io::FileNames names = {{"fields/plane_*.vti",
                             "fields/skin_#.vtp",
@@ -97,11 +97,11 @@ io::ApplicationDescription blast_application()
     "Solves the Euler equations of a compressible gas, air or "
     "explosive products, on adaptive octree meshes.",
     StagedSimulation<3>::declare_parameters,
-    create_any,
+    create_blast,
     {},
     coarsen_scene,
     "run",
-    files};
+    files_of_blast};
   application.adapts = [](const ParameterHandler &prm) {
     return prm.get_bool({"Adaptation"}, "Active");
   };

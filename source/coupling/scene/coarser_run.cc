@@ -13,11 +13,6 @@ namespace contrecoup::coupling
 {
 namespace
 {
-  bool begins_with(const std::string &text, const std::string &beginning)
-  {
-    return text.compare(0, beginning.size(), beginning) == 0;
-  }
-
   bool ends_with(const std::string &text, const std::string &end)
   {
     return text.size() >= end.size() &&

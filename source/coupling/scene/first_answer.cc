@@ -10,8 +10,6 @@ namespace contrecoup::coupling
 {
 namespace
 {
-  constexpr double sea_level = 101325.; // [Pa]
-
   std::string kilopascal(const double pressure)
   {
     const double value = 1e-3 * pressure;
@@ -24,8 +22,8 @@ namespace
                                 const double duration,
                                 const double body_mass)
   {
-    const double exposure =
-      load / lung_median_lethal_overpressure(duration, body_mass, sea_level);
+    const double exposure = load / lung_median_lethal_overpressure(
+                                     duration, body_mass, sea_level_pressure);
     return {overpressure,
             eardrum_rupture_probability(overpressure),
             exposure,
@@ -62,13 +60,14 @@ std::optional<TableAnswer> table_answer(const SceneParameters &scene,
   const double duration = value(BlastQuantity::duration);
   const double incident = value(BlastQuantity::overpressure);
   const double reflected = value(BlastQuantity::reflected_overpressure);
-  return TableAnswer{
-    value(BlastQuantity::arrival),
-    value(BlastQuantity::impulse),
-    duration,
-    effect_of(
-      incident, standing_load(incident, sea_level), duration, body_mass),
-    effect_of(reflected, reflected, duration, body_mass)};
+  return TableAnswer{value(BlastQuantity::arrival),
+                     value(BlastQuantity::impulse),
+                     duration,
+                     effect_of(incident,
+                               standing_load(incident, sea_level_pressure),
+                               duration,
+                               body_mass),
+                     effect_of(reflected, reflected, duration, body_mass)};
 }
 
 

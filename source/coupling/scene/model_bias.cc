@@ -82,7 +82,6 @@ namespace
 
 ModelBias model_bias(const SceneParameters &scene, const double distance)
 {
-  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   const double scaled = distance / std::cbrt(scene.mass);
   const auto found = measured().find(scene.explosive.name);
   const bool is_measured = found != measured().end() &&

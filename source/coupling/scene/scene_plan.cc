@@ -19,10 +19,7 @@ namespace contrecoup::coupling
 {
 namespace
 {
-  using Json = nlohmann::ordered_json;
-
-  constexpr double gravity = 9.81; // [m/s^2]
-  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  constexpr double gravity = 9.81;       // [m/s^2]
   constexpr double largest_strain = 0.1; // limit of small-strain theory
   /// Fewest cells for a positive phase. With fewer, cells of half the size
   /// raise the peak on a chest by a fifth and more, see
@@ -218,13 +215,13 @@ namespace
             "Charge/Explosive"};
   }
 
-  Json read_summary(const std::string &folder)
+  io::Json read_summary(const std::string &folder)
   {
     return io::read_json(folder + "/summary.json", io::formats::summary);
   }
 
 
-  double number_or_unknown(const Json &object, const std::string &name)
+  double number_or_unknown(const io::Json &object, const std::string &name)
   {
     return object.is_object() && object.contains(name) &&
                object[name].is_number()
@@ -338,7 +335,7 @@ namespace
   }
 
 
-  std::string text(const Json &object,
+  std::string text(const io::Json &object,
                    const std::string &name,
                    const std::string &otherwise = "")
   {
@@ -353,7 +350,7 @@ namespace
                                      const char *value)
   {
     std::vector<Assumption> items;
-    const Json summary = read_summary(folder);
+    const io::Json summary = read_summary(folder);
     if (!summary.is_object() || !summary.contains("assumptions"))
       return items;
     for (const auto &[name, item] : summary["assumptions"].items())

@@ -23,9 +23,7 @@ namespace contrecoup::coupling
 {
 namespace
 {
-  using Json = nlohmann::ordered_json;
-
-  Json list(const dealii::Point<3> &point)
+  io::Json list(const dealii::Point<3> &point)
   {
     return {point[0], point[1], point[2]};
   }
@@ -40,9 +38,9 @@ namespace
   }
 
 
-  Json plan_rows(const std::vector<Assumption> &plan)
+  io::Json plan_rows(const std::vector<Assumption> &plan)
   {
-    Json rows = Json::array();
+    io::Json rows = io::Json::array();
     for (const Assumption &item : plan)
       rows.push_back({{"item", item.name},
                       {"decision", item.decision},
@@ -53,26 +51,27 @@ namespace
   }
 
 
-  Json audit_rows(const std::vector<Assumption> &plan,
-                  const std::vector<Assumption> &audit)
+  io::Json audit_rows(const std::vector<Assumption> &plan,
+                      const std::vector<Assumption> &audit)
   {
-    Json rows = Json::array();
+    io::Json rows = io::Json::array();
     for (const Assumption &item : audit)
     {
       const Assumption *planned = io::find_assumption(plan, item.name);
-      Json row = {{"item", item.name},
-                  {"decision", item.decision},
-                  {"quantity", item.quantity},
-                  {"estimate",
-                   planned ? value_text(planned->value, item.unit) : "unknown"},
-                  {"found", value_text(item.value, item.unit)},
-                  {"limit",
-                   std::isnan(item.limit)
-                     ? ""
-                     : (item.is_lower_limit ? "at least " : "at most ") +
-                         value_text(item.limit, item.unit)},
-                  {"holds", nullptr},
-                  {"entry", item.entry}};
+      io::Json row = {
+        {"item", item.name},
+        {"decision", item.decision},
+        {"quantity", item.quantity},
+        {"estimate",
+         planned ? value_text(planned->value, item.unit) : "unknown"},
+        {"found", value_text(item.value, item.unit)},
+        {"limit",
+         std::isnan(item.limit)
+           ? ""
+           : (item.is_lower_limit ? "at least " : "at most ") +
+               value_text(item.limit, item.unit)},
+        {"holds", nullptr},
+        {"entry", item.entry}};
       if (std::isfinite(item.value) && !std::isnan(item.limit))
         row["holds"] = !item.fails();
       rows.push_back(row);
@@ -81,10 +80,10 @@ namespace
   }
 
 
-  Json task_rows(const std::vector<SceneTask> &tasks,
-                 const std::vector<std::string> &reused)
+  io::Json task_rows(const std::vector<SceneTask> &tasks,
+                     const std::vector<std::string> &reused)
   {
-    Json rows = Json::array();
+    io::Json rows = io::Json::array();
     for (const SceneTask &task : tasks)
     {
       const TaskRecord &record = task.record();
@@ -123,9 +122,9 @@ namespace
   }
 
 
-  Json place_rows(const std::vector<TissuePlace> &places)
+  io::Json place_rows(const std::vector<TissuePlace> &places)
   {
-    Json rows = Json::array();
+    io::Json rows = io::Json::array();
     for (const TissuePlace &place : places)
       rows.push_back({{"name", place.name}, {"place", list(place.place)}});
     return rows;
@@ -133,17 +132,17 @@ namespace
 
 
   /// A number; null if it is not known.
-  Json number(const double value)
+  io::Json number(const double value)
   {
-    return std::isfinite(value) ? Json(value) : Json();
+    return std::isfinite(value) ? io::Json(value) : io::Json();
   }
 
 
-  Json person_of(const Person &person)
+  io::Json person_of(const Person &person)
   {
-    Json json = {{"description", person.description()},
-                 {"length", person.length()},
-                 {"mass", person.mass()}};
+    io::Json json = {{"description", person.description()},
+                     {"length", person.length()},
+                     {"mass", person.mass()}};
     if (!person.axes())
       return json;
     const auto direction = [](const dealii::Tensor<1, 3> &axis) {
@@ -160,7 +159,7 @@ namespace
   }
 
 
-  Json effect_of(const TableAnswer::Effect &effect)
+  io::Json effect_of(const TableAnswer::Effect &effect)
   {
     return {{"overpressure", effect.overpressure},
             {"eardrum_rupture", effect.eardrum_rupture},
@@ -171,15 +170,15 @@ namespace
 
   /// The answer of the tables, null where they have none, and the equivalence
   /// by which they are entered.
-  Json tables_of(const PlannedScene &scene)
+  io::Json tables_of(const PlannedScene &scene)
   {
     const TntEquivalence &tnt = scene.parameters().explosive.tnt;
-    Json json = {{"equivalence_of_pressure", tnt.pressure},
-                 {"equivalence_of_impulse", tnt.impulse},
-                 {"is_published", tnt.is_published},
-                 {"source", tnt.source},
-                 {"body_mass", scene.person_mass()},
-                 {"answer", nullptr}};
+    io::Json json = {{"equivalence_of_pressure", tnt.pressure},
+                     {"equivalence_of_impulse", tnt.impulse},
+                     {"is_published", tnt.is_published},
+                     {"source", tnt.source},
+                     {"body_mass", scene.person_mass()},
+                     {"answer", nullptr}};
     if (const auto answer =
           table_answer(scene.parameters(), scene.layout(), scene.person_mass()))
       json["answer"] = {{"arrival", answer->arrival},
@@ -191,9 +190,9 @@ namespace
   }
 
 
-  Json comparison_rows(const std::vector<ComparedQuantity> &compared)
+  io::Json comparison_rows(const std::vector<ComparedQuantity> &compared)
   {
-    Json rows = Json::array();
+    io::Json rows = io::Json::array();
     for (const ComparedQuantity &one : compared)
       rows.push_back({{"name", one.name},
                       {"unit", one.unit},
@@ -206,9 +205,9 @@ namespace
   }
 
 
-  Json change_rows(const std::vector<ChangedEntry> &changes)
+  io::Json change_rows(const std::vector<ChangedEntry> &changes)
   {
-    Json rows = Json::array();
+    io::Json rows = io::Json::array();
     for (const ChangedEntry &change : changes)
       rows.push_back({{"entry", change.entry},
                       {"value", change.value},
@@ -265,7 +264,7 @@ void write_scene(const PlannedScene &scene,
             scene.parameters(), layout, scene.plan(), command.output_folder),
           tasks);
   const double person_mass = scene.person_mass();
-  Json json = {
+  io::Json json = {
     {"application", "scene"},
     {"format", io::formats::scene.number},
     {"version", version()},
@@ -276,7 +275,8 @@ void write_scene(const PlannedScene &scene,
     {"explosive", scene.parameters().explosive.name},
     {"charge_mass", scene.parameters().mass},
     {"charge_place", list(layout.charge)},
-    {"probe_beside_body", layout.probe ? list(*layout.probe) : Json(nullptr)},
+    {"probe_beside_body",
+     layout.probe ? list(*layout.probe) : io::Json(nullptr)},
     {"distance", layout.distance},
     {"distance_along_x", number(layout.distance_along_x)},
     {"height", layout.charge[2]},

@@ -19,24 +19,23 @@ namespace contrecoup::coupling
 {
 namespace
 {
-  using Json = nlohmann::ordered_json;
   using Vector = dealii::Tensor<1, 3>;
 
   constexpr double not_measured = std::numeric_limits<double>::quiet_NaN();
 
   /// A group in the summary of a stage, an object of objects with value and
   /// unit.
-  Json group_in(const std::string &folder, const std::string &group)
+  io::Json group_in(const std::string &folder, const std::string &group)
   {
-    const Json summary =
+    const io::Json summary =
       io::read_json(folder + "/summary.json", io::formats::summary);
     return summary.is_object() && summary.contains(group) &&
                summary[group].is_object()
              ? summary[group]
-             : Json::object();
+             : io::Json::object();
   }
 
-  double value_in(const Json &group, const std::string &name)
+  double value_in(const io::Json &group, const std::string &name)
   {
     return group.contains(name) && group[name].is_object() &&
                group[name].contains("value") && group[name]["value"].is_number()
@@ -114,7 +113,7 @@ double stage_check(const std::string &folder, const std::string &name)
 
 double largest_trunk_peak(const std::string &folder)
 {
-  const Json results = group_in(folder, "results");
+  const io::Json results = group_in(folder, "results");
   double largest = not_measured;
   for (const std::string place : {"chest", "abdomen", "back"})
     largest = std::fmax(largest, value_in(results, "loads_" + place + "_peak"));
@@ -142,7 +141,7 @@ BodyMotion measure_motion(const std::string &folder, const double last)
 StrainedTissue most_strained_tissue(const std::string &folder)
 {
   const std::string begin = "principal_strain_95_";
-  const Json results = group_in(folder, "results");
+  const io::Json results = group_in(folder, "results");
   StrainedTissue most{"", not_measured};
   for (const auto &[name, result] : results.items())
   {

@@ -3,6 +3,7 @@
 
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/coupling/scene/coarser_run.h>
+#include <contrecoup/coupling/scene/model_bias.h>
 #include <contrecoup/coupling/scene/table_comparison.h>
 #include <contrecoup/io/file/checked_file.h>
 #include <contrecoup/io/file/file_format.h>
@@ -18,10 +19,6 @@ namespace contrecoup::coupling
 {
 namespace
 {
-  using Json = nlohmann::ordered_json;
-
-  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-
   /// Scatter of measurements about the tables. With an equivalence that was not
   /// measured it is larger: published ones of the same explosive differ by 20
   /// to 30 % of its mass, which changes the peak by a fifth.
@@ -39,11 +36,11 @@ namespace
   /// A result of a finished blast; NaN: none.
   double result_of(const std::string &folder, const std::string &name)
   {
-    const Json summary =
+    const io::Json summary =
       io::read_json(folder + "/summary.json", io::formats::summary);
     if (!summary.is_object() || !summary.contains("results"))
       return unknown;
-    const Json result = summary["results"].value(name, Json());
+    const io::Json result = summary["results"].value(name, io::Json());
     return result.is_object() && result.contains("value") &&
                result["value"].is_number()
              ? result["value"].get<double>()

@@ -26,8 +26,6 @@ namespace contrecoup::coupling
 namespace
 {
   namespace fs = std::filesystem;
-  using Json = nlohmann::ordered_json;
-
   /// Contents of all files that values of a parameter file name.
   std::string contents_of_files(const std::string &text)
   {
@@ -66,7 +64,7 @@ namespace
 
 
   /// Number of a JSON object, 0 if missing.
-  double number_or_zero(const Json &object, const char *name)
+  double number_or_zero(const io::Json &object, const char *name)
   {
     return object.contains(name) && object[name].is_number()
              ? object[name].get<double>()
@@ -157,12 +155,12 @@ void SceneTask::inspect(Collective &collective)
 void SceneTask::take_summary(const double wall_seconds)
 {
   const std::string folder = files_.folder(status_.uses_new_folder);
-  const Json json =
+  const io::Json json =
     io::read_json(folder + "/summary.json", io::formats::summary);
   if (!json.is_object())
     throw SystemError("cannot read \"" + folder + "/summary.json\"");
-  const Json performance = json.value("performance", Json::object());
-  const Json status = json.value("status", Json());
+  const io::Json performance = json.value("performance", io::Json::object());
+  const io::Json status = json.value("status", io::Json());
   record_.status = status.is_string() ? status.get<std::string>() : "failed";
   record_.wall_seconds += wall_seconds;
   const double cores = number_or_zero(performance, "core_seconds");

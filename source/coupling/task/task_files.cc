@@ -18,8 +18,6 @@ namespace contrecoup::coupling
 namespace
 {
   namespace fs = std::filesystem;
-  using Json = nlohmann::ordered_json;
-
   bool exists(const std::string &path)
   {
     std::error_code ignored;
@@ -119,7 +117,7 @@ TaskRecord TaskFiles::read_record(const bool uses_new_folder) const
 {
   if (!exists(record_file(uses_new_folder)))
     return {};
-  const Json json =
+  const io::Json json =
     io::read_json(record_file(uses_new_folder), io::formats::stage);
   try
   {
@@ -132,7 +130,7 @@ TaskRecord TaskFiles::read_record(const bool uses_new_folder) const
     json.at("disk").get_to(record.disk);
     return record;
   }
-  catch (const Json::exception &)
+  catch (const io::Json::exception &)
   {
     show_line("\"" + record_file(uses_new_folder) +
               "\" is damaged; the stage counts as not begun");
@@ -144,13 +142,13 @@ TaskRecord TaskFiles::read_record(const bool uses_new_folder) const
 void TaskFiles::write_record(const bool uses_new_folder,
                              const TaskRecord &record) const
 {
-  const Json json = {{"format", io::formats::stage.number},
-                     {"key", record.key},
-                     {"status", record.status},
-                     {"wall_seconds", record.wall_seconds},
-                     {"core_seconds", record.core_seconds},
-                     {"peak_memory", record.peak_memory},
-                     {"disk", record.disk}};
+  const io::Json json = {{"format", io::formats::stage.number},
+                         {"key", record.key},
+                         {"status", record.status},
+                         {"wall_seconds", record.wall_seconds},
+                         {"core_seconds", record.core_seconds},
+                         {"peak_memory", record.peak_memory},
+                         {"disk", record.disk}};
   io::write_file(record_file(uses_new_folder),
                  [&](std::ostream &out) { out << json.dump(2) << "\n"; });
 }

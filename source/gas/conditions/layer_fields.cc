@@ -16,8 +16,6 @@ namespace contrecoup::gas
 {
 namespace
 {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-
   void declare_direction(ParameterHandler &prm)
   {
     declare_list(prm,
@@ -292,7 +290,7 @@ GasState<dim> LayerField<dim>::value(const dealii::Point<dim> &point) const
 template <int dim>
 double LayerField<dim>::smallest_feature() const
 {
-  double smallest = infinity;
+  double smallest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 1; i < positions_.size(); ++i)
     smallest = std::min(smallest, positions_[i] - positions_[i - 1]);
   return smallest;
@@ -304,7 +302,7 @@ double
 LayerField<dim>::distance_to_feature(const dealii::Point<dim> &point) const
 {
   const double position = direction_ * (point - dealii::Point<dim>());
-  double nearest = infinity;
+  double nearest = std::numeric_limits<double>::infinity();
   for (const double plane : positions_)
     nearest = std::min(nearest, std::abs(position - plane));
   return nearest;

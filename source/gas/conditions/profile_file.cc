@@ -144,7 +144,7 @@ namespace
     const auto cells = [&](const std::string &name) {
       return in.numbers(name);
     };
-    io::require_readable(io::formats::profile, text("format"), file);
+    io::require_format(io::formats::profile, text("format"), file);
     ProfileData data;
     data.version = text("version");
     data.material = text("material");
@@ -321,7 +321,7 @@ namespace
       return table.notes.count(name) > 0 ? number(name) : other;
     };
     if (table.notes.count("format") > 0)
-      io::require_readable(io::formats::profile, note("format"), file);
+      io::require_format(io::formats::profile, note("format"), file);
     ProfileData data;
     data.geometry = geometry_of(note("geometry"), file);
     data.time = number("time_s");

@@ -132,11 +132,11 @@ namespace
   };
 
 
-  Section
+  LimbSection
   make_section(const double station, const Moments &m, const double turn)
   {
     const double c = std::cos(turn), s = std::sin(turn);
-    Section section;
+    LimbSection section;
     section.station = station;
     section.center[0] = m.u;
     section.center[1] = m.v;
@@ -226,7 +226,7 @@ namespace
 
 
   /// Joint of the shoulder. Heights and widths are those of the phantom.
-  Point<3> shoulder_joint(const Section &shoulder, const unsigned int side)
+  Point<3> shoulder_joint(const LimbSection &shoulder, const unsigned int side)
   {
     constexpr double width = 1.45; // over the spread of the section
     return Point<3>(shoulder.center[0],
@@ -244,7 +244,8 @@ namespace
     if (!regions.has_arm[side])
       return arm;
     constexpr unsigned int n_sections = 24;
-    const Section shoulder = measure_trunk(regions).sections[shoulder_section];
+    const LimbSection shoulder =
+      measure_trunk(regions).sections[shoulder_section];
     const Point<3> joint = shoulder_joint(shoulder, side);
     // A hand that is not told from the trunk is in line with its arm.
     constexpr double usual_length = 0.407; // over the stature, of the phantom
@@ -259,7 +260,7 @@ namespace
     const double palm = regions.has_hand[side]
                           ? long_direction(ruler.between(0.86 * length, length))
                           : 0.;
-    Section first;
+    LimbSection first;
     first.spread[0] = first.spread[1] = shoulder.spread[0];
     arm.sections.push_back(first);
     for (unsigned int i = 0; i <= n_sections; ++i)
@@ -273,7 +274,7 @@ namespace
   }
 
 
-  SectionPair make_pair(const Section &from, const Section &to)
+  SectionPair make_pair(const LimbSection &from, const LimbSection &to)
   {
     SectionPair pair;
     pair.station = from.station;

@@ -24,17 +24,6 @@ namespace
      {{1, 1, 1}},
      {{0, 1, 1}}}};
 
-  /// Corners of the faces at -x, +x, -y, +y, -z, +z, seen from outside.
-  constexpr std::array<std::array<unsigned int, 4>, 6> face_corners{
-    {{{0, 4, 7, 3}},
-     {{1, 2, 6, 5}},
-     {{0, 1, 5, 4}},
-     {{3, 7, 6, 2}},
-     {{0, 3, 2, 1}},
-     {{4, 5, 6, 7}}}};
-
-  constexpr std::uint32_t none = -1;
-
   using Place = std::array<unsigned int, 3>;
 
   /// Merges the voxels of a grid away from boundary and interfaces.
@@ -118,7 +107,7 @@ namespace
       , mesh_(mesh)
       , numbers_(std::size_t(grid.size[0] + 1) * (grid.size[1] + 1) *
                    (grid.size[2] + 1),
-                 none)
+                 no_index)
     {}
 
     /// Number of a node, if it exists.
@@ -131,7 +120,7 @@ namespace
     std::uint32_t make(const Place &place)
     {
       std::uint32_t &entry = numbers_[index(place)];
-      if (entry == none)
+      if (entry == no_index)
       {
         entry = mesh_.nodes.size();
         Point<3> node = grid_.origin;
@@ -171,7 +160,7 @@ namespace
         continue;
       HexMesh::Facet facet;
       for (unsigned int v = 0; v < 4; ++v)
-        facet.nodes[v] = cell[face_corners[face][v]];
+        facet.nodes[v] = cell[hex_face_corners[face][v]];
       facet.cell = mesh.cells.size() - 1;
       if (other == LabelGrid::outside)
         mesh.boundary.push_back(facet);
@@ -200,7 +189,7 @@ namespace
       const std::uint32_t node = numbers.find({{base[0] + step[0] * half,
                                                 base[1] + step[1] * half,
                                                 base[2] + step[2] * half}});
-      if (node == none)
+      if (node == no_index)
         continue;
       Weights &weights = hanging[node];
       weights.clear();

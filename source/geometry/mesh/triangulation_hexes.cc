@@ -12,19 +12,6 @@ namespace
 {
   using Mesh = dealii::Triangulation<3>;
 
-  constexpr std::uint32_t none = -1;
-
-  /// deal.II's vertex number of each corner of HexMesh.
-  constexpr unsigned int vertex_of_corner[] = {0, 1, 3, 2, 4, 5, 7, 6};
-
-  /// Corners of deal.II's faces at -x, +x, -y, ..., seen from outside.
-  constexpr unsigned int face_corners[6][4] = {{0, 4, 7, 3},
-                                               {1, 2, 6, 5},
-                                               {0, 1, 5, 4},
-                                               {3, 7, 6, 2},
-                                               {0, 3, 2, 1},
-                                               {4, 5, 6, 7}};
-
   /// Masters of hanging vertices in the middle of edges and faces that are
   /// refined on one side only, by deal.II vertex.
   std::map<unsigned int, std::vector<unsigned int>>
@@ -80,7 +67,7 @@ namespace
       for (unsigned int c = 0; c < 8; ++c)
       {
         const unsigned int vertex = cell->vertex_index(vertex_of_corner[c]);
-        if (node[vertex] == none)
+        if (node[vertex] == no_index)
         {
           node[vertex] = result.nodes.size();
           result.nodes.push_back(mesh.get_vertices()[vertex]);
@@ -96,7 +83,7 @@ namespace
           HexMesh::Facet facet;
           facet.cell = number;
           for (unsigned int v = 0; v < 4; ++v)
-            facet.nodes[v] = corners[face_corners[f][v]];
+            facet.nodes[v] = corners[hex_face_corners[f][v]];
           result.boundary.push_back(facet);
         }
     }
@@ -124,7 +111,7 @@ HexMesh to_hex_mesh(const Mesh &triangulation,
 {
   HexMesh result;
   result.parts = parts;
-  std::vector<std::uint32_t> node(triangulation.n_vertices(), none);
+  std::vector<std::uint32_t> node(triangulation.n_vertices(), no_index);
   add_cells(triangulation, parts.size(), node, result);
   const auto masters = hanging_vertices(triangulation);
   for (const auto &[vertex, list] : masters)

@@ -21,8 +21,6 @@ namespace io
 {
   namespace
   {
-    using Json = nlohmann::ordered_json;
-
     const std::vector<std::pair<const char *, double CostEstimate::*>> figures =
       {{"cells", &CostEstimate::cells},
        {"unknowns", &CostEstimate::unknowns},

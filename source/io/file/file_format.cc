@@ -35,9 +35,9 @@ namespace io
   }
 
 
-  void require_readable(const FileFormat &format,
-                        const std::string &found,
-                        const std::string &file)
+  void require_format(const FileFormat &format,
+                      const std::string &found,
+                      const std::string &file)
   {
     const std::string kind = std::string("contrecoup ") + format.name + " ";
     const std::string number =

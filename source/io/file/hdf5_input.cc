@@ -3,6 +3,7 @@
 
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/readable_file.h>
+#include <contrecoup/io/file/checked_file.h>
 #include <contrecoup/io/file/hdf5_input.h>
 
 #include <fcntl.h>
@@ -19,9 +20,6 @@ namespace io
 {
   namespace
   {
-    /// Largest compression ratio of deflate [-].
-    constexpr std::uintmax_t most_per_byte = 1032;
-
     /// Upper bound of the length of text attributes.
     constexpr std::size_t longest_text = 1 << 20;
 
@@ -101,7 +99,7 @@ namespace io
       refuse("it has no dataset \"" + name + "\"");
     const Hdf5Handle space(H5Dget_space(data), H5Sclose);
     const hssize_t count = H5Sget_simple_extent_npoints(space);
-    if (count < 0 || static_cast<std::uintmax_t>(count) / most_per_byte >
+    if (count < 0 || static_cast<std::uintmax_t>(count) / largest_zlib_ratio >
                        std::filesystem::file_size(path_))
       refuse("its dataset \"" + name + "\" cannot be as large as it says");
     std::vector<double> values(static_cast<std::size_t>(count));

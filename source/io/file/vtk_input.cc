@@ -18,9 +18,6 @@ namespace io
 {
   namespace
   {
-    /// Largest compression ratio of zlib [-].
-    constexpr std::uint64_t most_per_byte = 1032;
-
     /// Value of an attribute of an XML tag; empty without it.
     std::string attribute(const std::string &tag, const std::string &name)
     {
@@ -111,7 +108,7 @@ namespace io
         refuse("it is cut off");
       const bool is_short = block + 1 == n_blocks && last_size > 0;
       uLongf size = is_short ? last_size : block_size;
-      if (size / most_per_byte > packed)
+      if (size / largest_zlib_ratio > packed)
         refuse("sizes in it are damaged");
       const std::size_t before = result.size();
       const uLongf wanted = size;

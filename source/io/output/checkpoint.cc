@@ -6,6 +6,7 @@
 #include <contrecoup/base/system/log.h>
 #include <contrecoup/io/file/checked_file.h>
 #include <contrecoup/io/file/file_digest.h>
+#include <contrecoup/io/file/file_format.h>
 #include <contrecoup/io/file/name_patterns.h>
 #include <contrecoup/io/output/checkpoint.h>
 
@@ -25,8 +26,6 @@ namespace io
   namespace
   {
     namespace fs = std::filesystem;
-    using Json = nlohmann::ordered_json;
-
     const char *const marker = "complete.json";
     const char *const run_file = "run.json";
 

@@ -14,8 +14,6 @@ namespace contrecoup
 {
 namespace io
 {
-  using Handle = Hdf5Handle;
-
 
   namespace
   {
@@ -44,7 +42,7 @@ namespace io
     const Hdf5Input file(path);
     // Loads of other programs need not have a format.
     if (file.has_attribute("format"))
-      require_readable(formats::loads, file.text("format"), path);
+      require_format(formats::loads, file.text("format"), path);
     facets_.centroids = file.numbers("centroid");
     facets_.normals = file.numbers("normal");
     facets_.areas = file.numbers("area");
@@ -132,12 +130,13 @@ namespace io
                                                const std::size_t count) const
   {
     std::vector<float> values(n_facets() * count);
-    const Handle file(H5Fopen(path_.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT),
-                      H5Fclose);
-    const Handle data(H5Dopen2(file, "overpressure", H5P_DEFAULT), H5Dclose);
-    const Handle space(H5Dget_space(data), H5Sclose);
+    const Hdf5Handle file(H5Fopen(path_.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT),
+                          H5Fclose);
+    const Hdf5Handle data(H5Dopen2(file, "overpressure", H5P_DEFAULT),
+                          H5Dclose);
+    const Hdf5Handle space(H5Dget_space(data), H5Sclose);
     const hsize_t begin[] = {0, first}, size[] = {n_facets(), count};
-    const Handle memory(H5Screate_simple(2, size, nullptr), H5Sclose);
+    const Hdf5Handle memory(H5Screate_simple(2, size, nullptr), H5Sclose);
     if (H5Sselect_hyperslab(
           space, H5S_SELECT_SET, begin, nullptr, size, nullptr) < 0 ||
         H5Dread(

@@ -23,8 +23,6 @@ namespace io
   namespace
   {
     namespace fs = std::filesystem;
-    using Json = nlohmann::ordered_json;
-
     void add_missing(std::vector<std::string> &names,
                      const std::vector<std::string> &more)
     {

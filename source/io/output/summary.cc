@@ -17,8 +17,6 @@ namespace io
 {
   namespace
   {
-    using Json = nlohmann::ordered_json;
-
     Json number(const double value)
     {
       return std::isfinite(value) ? Json(value) : Json(nullptr);

@@ -3,6 +3,7 @@
 
 #include <contrecoup/base/system/version.h>
 #include <contrecoup/io/file/checked_file.h>
+#include <contrecoup/io/file/file_format.h>
 #include <contrecoup/io/run/cost_cache.h>
 
 #include <link.h>
@@ -21,8 +22,6 @@ namespace io
   namespace
   {
     namespace fs = std::filesystem;
-    using Json = nlohmann::ordered_json;
-
     /// Name of the processor; empty if unknown.
     std::string processor()
     {

@@ -14,8 +14,6 @@ namespace io
 {
   namespace
   {
-    using Json = nlohmann::ordered_json;
-
     /// Calls @p visit with name and value of each member of the state.
     template <typename State, typename Visitor>
     void visit_members(State &state, const Visitor &visit)

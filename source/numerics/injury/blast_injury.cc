@@ -14,16 +14,15 @@ double lung_median_lethal_overpressure(const double duration,
                                        const double ambient_pressure)
 {
   const double psi = 6894.757;
-  const double sea_level = 101325.;
   // In milliseconds, scaled to a body of 70 kg at sea level.
   const double scaled = 1e3 * duration * std::cbrt(70. / mass) *
-                        std::sqrt(ambient_pressure / sea_level);
+                        std::sqrt(ambient_pressure / sea_level_pressure);
   const auto constant = [](const char *const name) {
     return injury_curve_constant("lung_median_lethal_load", name);
   };
   return constant("asymptote_psi") * psi *
          (1. + constant("factor") * std::pow(scaled, constant("exponent"))) *
-         (ambient_pressure / sea_level);
+         (ambient_pressure / sea_level_pressure);
 }
 
 

@@ -16,7 +16,7 @@ namespace
   const double stiffness = 989.;      // N/m
   const double area = 0.082;          // m^2
   const double lung_volume = 1.82e-3; // m^3
-  const double gamma = 1.2;
+  const double polytropic_exponent = 1.2;
 
   /// Least volume of air that the lung is compressed to.
   const double least_volume = 1e-3 * lung_volume;
@@ -34,7 +34,7 @@ namespace
   {
     const double left =
       std::max(lung_volume - area * displacement, least_volume);
-    return ambient * std::pow(lung_volume / left, gamma);
+    return ambient * std::pow(lung_volume / left, polytropic_exponent);
   }
 
   Rate rate_of(const double displacement,
@@ -56,8 +56,8 @@ namespace
     const double left = lung_volume - area * wall.displacement;
     if (left <= least_volume)
       return longest;
-    const double of_air =
-      gamma * area * area * lung_pressure(wall.displacement, ambient) / left;
+    const double of_air = polytropic_exponent * area * area *
+                          lung_pressure(wall.displacement, ambient) / left;
     const double frequency = std::sqrt((stiffness + of_air) / mass);
     const double flow = area * std::abs(wall.velocity);
     const double step =

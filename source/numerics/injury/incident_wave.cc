@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/numerics/injury/blast_injury.h>
 #include <contrecoup/numerics/injury/incident_wave.h>
 
 #include <algorithm>
@@ -10,7 +11,6 @@ namespace contrecoup
 {
 namespace
 {
-  constexpr double sea_level = 101325.; // [Pa]
   constexpr double air_density = 1.225; // [kg/m^3]
   constexpr double step = 1.02;         ///< ratio of distances that are tried
 } // namespace
@@ -21,7 +21,7 @@ IncidentWave::IncidentWave(const TntEquivalence &tnt,
                            const double energy)
   : of_pressure_("spherical", tnt.pressure * mass)
   , of_impulse_("spherical", tnt.impulse * mass)
-  , source_(energy, sea_level, air_density)
+  , source_(energy, sea_level_pressure, air_density)
 {}
 
 

@@ -17,16 +17,14 @@ namespace contrecoup
 {
 namespace
 {
-  using Json = nlohmann::json;
-
   // The text of injury_criteria.json.
   const char *const text =
 #include <contrecoup/numerics/injury/injury_criteria.inc>
     ;
 
-  const Json &data()
+  const nlohmann::json &data()
   {
-    static const Json parsed = Json::parse(text);
+    static const nlohmann::json parsed = nlohmann::json::parse(text);
     return parsed;
   }
 
@@ -59,13 +57,13 @@ namespace
   }
 
 
-  InjuryCriterion criterion_of(const Json &measure)
+  InjuryCriterion criterion_of(const nlohmann::json &measure)
   {
     InjuryCriterion criterion;
     if (measure.contains("levels"))
     {
       std::vector<Level> levels;
-      for (const Json &level : measure["levels"])
+      for (const nlohmann::json &level : measure["levels"])
         levels.push_back({level[0],
                           level[1],
                           level[2].is_null()
@@ -74,7 +72,7 @@ namespace
       criterion.thresholds = thresholds_of(levels);
     }
     else
-      for (const Json &threshold : measure["thresholds"])
+      for (const nlohmann::json &threshold : measure["thresholds"])
         criterion.thresholds.emplace_back(threshold[0], threshold[1]);
     criterion.source =
       data()["sources"].at(measure["source"].get<std::string>());

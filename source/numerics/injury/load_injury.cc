@@ -11,8 +11,6 @@ namespace contrecoup
 {
 namespace
 {
-  constexpr double sea_level = 101325.; // Pa
-
   /// Fraction of its peak at which a wave counts as arrived.
   constexpr double arrived = 0.05;
 
@@ -66,10 +64,11 @@ LoadInjury load_injury(const std::vector<double> &times,
   LoadInjury injury;
   injury.pulse = pulse;
   injury.chest_wall_velocity =
-    chest_wall_response(times, overpressures, sea_level).velocity;
+    chest_wall_response(times, overpressures, sea_level_pressure).velocity;
   if (pulse.duration > 0.)
-    injury.lung_exposure = pulse.peak / lung_median_lethal_overpressure(
-                                          pulse.duration, body_mass, sea_level);
+    injury.lung_exposure =
+      pulse.peak / lung_median_lethal_overpressure(
+                     pulse.duration, body_mass, sea_level_pressure);
   injury.eardrum_rupture = eardrum_rupture_probability(pulse.peak);
   return injury;
 }

@@ -283,13 +283,12 @@ void MeshDescription::make_patch(Mesh &mesh) const
                                     {1, 2, 10, 9, 5, 6, 14, 13},
                                     {2, 3, 11, 10, 6, 7, 15, 14},
                                     {3, 0, 8, 11, 7, 4, 12, 15}};
-  constexpr unsigned int order[] = {0, 1, 3, 2, 4, 5, 7, 6};
   std::vector<dealii::CellData<3>> cells;
   for (const auto &hex : hexes)
   {
     dealii::CellData<3> cell(8);
     for (unsigned int v = 0; v < 8; ++v)
-      cell.vertices[v] = hex[order[v]];
+      cell.vertices[v] = hex[vertex_of_corner[v]];
     cell.material_id = 0;
     cells.push_back(cell);
   }

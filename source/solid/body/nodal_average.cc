@@ -15,12 +15,11 @@ void NodalAverage::reinit(std::vector<Corners> corners,
   corner_indices_ = std::move(corners);
   volumes_ = std::move(volumes);
   nodes_.clear();
-  constexpr std::uint32_t none = -1;
-  std::vector<std::uint32_t> index(n_nodes, none);
+  std::vector<std::uint32_t> index(n_nodes, no_index);
   for (Corners &corners_of_one : corner_indices_)
     for (std::uint32_t &node : corners_of_one)
     {
-      if (index[node] == none)
+      if (index[node] == no_index)
       {
         index[node] = static_cast<std::uint32_t>(nodes_.size());
         nodes_.push_back(node);

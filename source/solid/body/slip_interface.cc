@@ -16,8 +16,6 @@ namespace
   constexpr unsigned char sliding_side = 1, held_side = 2, neither = 4;
   constexpr unsigned char both = sliding_side | held_side;
 
-  constexpr std::uint32_t none = -1;
-
   /// Least length of the sum of the faces' normals at a node over the sum of
   /// their areas.
   constexpr double least_agreement = 0.3;
@@ -106,7 +104,7 @@ namespace
                          std::vector<HexMesh::Facet> facets)
     {
       SlipInterface result;
-      std::vector<std::uint32_t> copy(is_split.size(), none);
+      std::vector<std::uint32_t> copy(is_split.size(), no_index);
       for (std::uint32_t node = 0; node < is_split.size(); ++node)
         if (is_split[node])
         {
@@ -116,7 +114,7 @@ namespace
         }
       const auto replace = [&](auto &nodes) {
         for (std::uint32_t &node : nodes)
-          if (copy[node] != none)
+          if (copy[node] != no_index)
             node = copy[node];
       };
       for (std::size_t i = 0; i < side_.size(); ++i)

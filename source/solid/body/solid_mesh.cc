@@ -15,8 +15,6 @@ namespace contrecoup::solid
 {
 namespace
 {
-  constexpr std::uint32_t none = -1;
-
   /// Spreads the lower 21 bits of @p x with two zeros between them.
   std::uint64_t spread(std::uint64_t x)
   {
@@ -95,13 +93,13 @@ namespace
       , rank_(dealii::Utilities::MPI::this_mpi_process(communicator))
       , n_ranks_(dealii::Utilities::MPI::n_mpi_processes(communicator))
       , order_(curve(mesh))
-      , hanging_(mesh.nodes.size(), none)
-      , local_node_(mesh.nodes.size(), none)
+      , hanging_(mesh.nodes.size(), no_index)
+      , local_node_(mesh.nodes.size(), no_index)
     {
       for (std::size_t i = 0; i < mesh.hanging_nodes.size(); ++i)
         hanging_[mesh.hanging_nodes[i].node] = i;
       if (!slip.pairs.empty())
-        partner_.assign(mesh.nodes.size(), none);
+        partner_.assign(mesh.nodes.size(), no_index);
       for (const SlipInterface::Pair &pair : slip.pairs)
       {
         partner_[pair.sliding] = pair.held;
@@ -147,7 +145,7 @@ namespace
 
     std::uint32_t take_node(const std::uint32_t node)
     {
-      if (local_node_[node] == none)
+      if (local_node_[node] == no_index)
       {
         local_node_[node] = part_.nodes.size();
         part_.nodes.push_back(mesh_.nodes[node]);
@@ -178,7 +176,7 @@ namespace
     {
       const std::size_t n_nodes = part_.nodes.size();
       for (std::size_t i = 0; i < n_nodes; ++i)
-        if (hanging_[part_.global_node[i]] != none)
+        if (hanging_[part_.global_node[i]] != no_index)
         {
           HexMesh::HangingNode one =
             mesh_.hanging_nodes[hanging_[part_.global_node[i]]];
@@ -193,17 +191,17 @@ namespace
     {
       const std::size_t n_nodes = partner_.empty() ? 0 : part_.nodes.size();
       for (std::size_t i = 0; i < n_nodes; ++i)
-        if (partner_[part_.global_node[i]] != none)
+        if (partner_[part_.global_node[i]] != no_index)
           take_node(partner_[part_.global_node[i]]);
       for (const SlipInterface::Pair &pair : slip_.pairs)
-        if (local_node_[pair.sliding] != none)
+        if (local_node_[pair.sliding] != no_index)
           part_.slip.pairs.push_back(
             {local_node_[pair.sliding], local_node_[pair.held]});
     }
 
     void find_local_elements()
     {
-      local_element_.assign(mesh_.cells.size(), none);
+      local_element_.assign(mesh_.cells.size(), no_index);
       for (std::size_t i = 0; i < part_.elements.size(); ++i)
         local_element_[part_.global_element[i]] = i;
     }
@@ -214,7 +212,7 @@ namespace
     {
       std::vector<HexMesh::Facet> local;
       for (HexMesh::Facet facet : facets)
-        if (local_element_[facet.cell] != none)
+        if (local_element_[facet.cell] != no_index)
         {
           facet.cell = local_element_[facet.cell];
           for (std::uint32_t &node : facet.nodes)
@@ -229,7 +227,7 @@ namespace
     {
       std::vector<std::set<int>> holders(part_.nodes.size());
       const auto add = [&](const std::uint32_t node, const int rank) {
-        if (local_node_[node] != none)
+        if (local_node_[node] != no_index)
           holders[local_node_[node]].insert(rank);
       };
       for (unsigned int rank = 0; rank < n_ranks_; ++rank)
@@ -238,9 +236,9 @@ namespace
             for (const std::uint32_t node : mesh_.cells[order_[i]])
             {
               add(node, rank);
-              if (!partner_.empty() && partner_[node] != none)
+              if (!partner_.empty() && partner_[node] != no_index)
                 add(partner_[node], rank);
-              if (hanging_[node] != none)
+              if (hanging_[node] != no_index)
                 for (const auto master :
                      mesh_.hanging_nodes[hanging_[node]].masters)
                   add(master, rank);

@@ -21,17 +21,11 @@ namespace
   /// Largest number of facets in the means; more change nothing.
   constexpr std::size_t max_sampled_facets = 4000;
 
-  Point<3> point_at(const std::vector<double> &numbers, const std::size_t i)
-  {
-    return Point<3>(numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]);
-  }
-
-
   /// Centre of the bounding box of facets and their mirror images.
   Point<3> middle_of(const io::LoadFile::Facets &facets,
                      const std::array<bool, 3> &mirrored)
   {
-    Point<3> lower = point_at(facets.centroids, 0), upper = lower;
+    Point<3> lower = io::LoadFile::point_at(facets.centroids, 0), upper = lower;
     for (std::size_t i = 0; i < facets.areas.size(); ++i)
       for (unsigned int d = 0; d < 3; ++d)
       {
@@ -94,13 +88,14 @@ LoadAlignment measure_load_alignment(const io::LoadFile::Facets &facets,
   double area = 0.;
   for (std::size_t i = 0; i < n_facets; i += stride)
   {
-    const Point<3> middle = point_at(facets.centroids, i);
+    const Point<3> middle = io::LoadFile::point_at(facets.centroids, i);
     const Point<3> foot = surface.project(middle);
     area += facets.areas[i];
     alignment.distance += facets.areas[i] * middle.distance(foot);
     alignment.agreement +=
       facets.areas[i] *
-      (Tensor<1, 3>(point_at(facets.normals, i)) * surface.normal(foot));
+      (Tensor<1, 3>(io::LoadFile::point_at(facets.normals, i)) *
+       surface.normal(foot));
   }
   if (!(area > 0.))
     return alignment;

@@ -23,8 +23,6 @@ namespace
   using dealii::Point;
   using dealii::Tensor;
 
-  constexpr std::uint32_t none = -1;
-
   /// Number of samples read at once.
   constexpr std::size_t samples_at_once = 64;
 
@@ -59,11 +57,6 @@ namespace
                 "less than this part: a larger difference means "
                 "different surfaces, and the factor would change "
                 "peaks that are right."));
-  }
-
-  Point<3> point_at(const std::vector<double> &numbers, const std::size_t i)
-  {
-    return Point<3>(numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]);
   }
 
   /// Bounding box of the points of all ranks.
@@ -181,11 +174,11 @@ void RecordedLoads::reinit(const std::vector<Point<3>> &middles,
   Tensor<1, 3> side;
   for (std::size_t i = 0; i < reader_->n_facets(); ++i)
   {
-    places.push_back(point_at(facets.centroids, i));
+    places.push_back(io::LoadFile::point_at(facets.centroids, i));
     side += places.back();
   }
   const auto tree = dealii::pack_rtree_of_indices(places);
-  source_.assign(middles.size(), none);
+  source_.assign(middles.size(), no_index);
   distances_.assign(middles.size(), 0.);
   for (std::size_t i = 0; i < middles.size(); ++i)
   {
@@ -202,7 +195,7 @@ void RecordedLoads::reinit(const std::vector<Point<3>> &middles,
     for (auto found = tree.qbegin(query); found != tree.qend(); ++found)
     {
       const bool faces =
-        area * Tensor<1, 3>(point_at(facets.normals, *found)) > 0.;
+        area * Tensor<1, 3>(io::LoadFile::point_at(facets.normals, *found)) > 0.;
       // Facets that face away count only if no other facet is near.
       const double distance =
         place.distance(places[*found]) + (faces ? 0. : largest_distance_);
@@ -214,7 +207,7 @@ void RecordedLoads::reinit(const std::vector<Point<3>> &middles,
     }
     distances_[i] = place.distance(places[source_[i]]);
     if (distances_[i] > largest_distance_)
-      source_[i] = none;
+      source_[i] = no_index;
   }
   first_ = count_ = 0;
   measure_impulses();
@@ -250,7 +243,7 @@ void RecordedLoads::set_time(const double time)
 
 double RecordedLoads::pressure(const std::size_t facet) const
 {
-  if (is_loaded_ == 0. || source_[facet] == none)
+  if (is_loaded_ == 0. || source_[facet] == no_index)
     return 0.;
   const float *row = &samples_[source_[facet] * count_];
   const double now = row[after_ - first_];
@@ -272,7 +265,7 @@ std::string RecordedLoads::warning(const double end_time) const
   const std::vector<float> samples = reader_->read(last, 1);
   std::pair<double, std::size_t> largest{0., 0};
   for (std::size_t i = 0; i < source_.size(); ++i)
-    if (source_[i] != none)
+    if (source_[i] != no_index)
       largest = std::max(largest, {std::abs(factor_ * samples[source_[i]]), i});
   const double left = dealii::Utilities::MPI::max(largest.first, communicator_);
   // Of the ranks with this pressure, the first one tells its place and sign.
@@ -340,7 +333,7 @@ void RecordedLoads::sum_impulses(const std::vector<double> &impulse)
   for (std::size_t i = 0; i < impulse.size(); ++i)
   {
     recorded_impulse_ -=
-      impulse[i] * facets.areas[i] * Tensor<1, 3>(point_at(facets.normals, i));
+      impulse[i] * facets.areas[i] * Tensor<1, 3>(io::LoadFile::point_at(facets.normals, i));
     recorded += std::abs(impulse[i]) * facets.areas[i];
   }
   for (unsigned int d = 0; d < 3; ++d)
@@ -351,11 +344,11 @@ void RecordedLoads::sum_impulses(const std::vector<double> &impulse)
       recorded_impulse_[d] = 0.;
     }
   for (std::size_t i = 0; i < source_.size(); ++i)
-    if (source_[i] != none)
+    if (source_[i] != no_index)
     {
       mapped_impulse_ -= impulse[source_[i]] * areas_[i];
       // Voxel stairs overestimate areas, but not their projections.
-      const Tensor<1, 3> normal = point_at(facets.normals, source_[i]);
+      const Tensor<1, 3> normal = io::LoadFile::point_at(facets.normals, source_[i]);
       double projection = 0.;
       for (unsigned int d = 0; d < 3; ++d)
       {
@@ -388,7 +381,7 @@ std::vector<NamedValue> RecordedLoads::check_values() const
   {
     largest = std::max(largest, distances_[i]);
     distance += distances_[i];
-    unmatched += source_[i] == none ? 1. : 0.;
+    unmatched += source_[i] == no_index ? 1. : 0.;
   }
   std::vector<double> sums{distance, unmatched, double(source_.size())};
   dealii::Utilities::MPI::sum(sums, communicator_, sums);

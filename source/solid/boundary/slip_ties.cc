@@ -29,10 +29,6 @@ namespace
     double opening;
   };
 
-  std::string file_of(const std::string &folder, const unsigned int rank)
-  {
-    return folder + "/slip." + std::to_string(rank) + ".bin";
-  }
 } // namespace
 
 
@@ -283,7 +279,7 @@ void SlipTies::save(const std::string &folder, const unsigned int rank) const
 {
   if (!active())
     return;
-  io::write_file(file_of(folder, rank), [&](std::ostream &out) {
+  io::write_file(io::rank_file(folder, "slip", rank), [&](std::ostream &out) {
     io::write_binary(out, work_);
     io::write_binary(out, std::uint64_t(ties_.size()));
     for (const Tie &tie : ties_)
@@ -306,10 +302,11 @@ void SlipTies::restore(const std::string &folder, const unsigned int rank)
   std::unordered_map<std::uint32_t, std::size_t> index;
   for (std::size_t i = 0; i < ties_.size(); ++i)
     index[ties_[i].global] = i;
-  for (unsigned int saved = 0; std::filesystem::exists(file_of(folder, saved));
+  for (unsigned int saved = 0;
+       std::filesystem::exists(io::rank_file(folder, "slip", saved));
        ++saved)
   {
-    std::ifstream in(file_of(folder, saved), std::ios::binary);
+    std::ifstream in(io::rank_file(folder, "slip", saved), std::ios::binary);
     double work = 0.;
     std::uint64_t n_ties = 0;
     io::read_binary(in, work);
@@ -329,7 +326,8 @@ void SlipTies::restore(const std::string &folder, const unsigned int rank)
           ties_[found->second].force[side][d] = record.force[side][d];
     }
     if (!in)
-      throw InputError("Checkpoint file " + file_of(folder, saved) +
+      throw InputError("Checkpoint file " +
+                       io::rank_file(folder, "slip", saved) +
                        " ends too early");
   }
 }

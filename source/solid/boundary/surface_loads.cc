@@ -20,8 +20,6 @@ namespace
   using dealii::Point;
   using dealii::Tensor;
 
-  constexpr std::uint32_t none = -1;
-
   /// Integral over a bilinear facet of each node's shape function times the
   /// normal [m^2].
   std::array<Tensor<1, 3>, 4>
@@ -130,7 +128,7 @@ void SurfaceLoads::reinit(const SolidMesh &mesh, const MPI_Comm communicator)
 {
   facets_.clear();
   nodes_.clear();
-  entry_of_node_.assign(mesh.nodes.size(), none);
+  entry_of_node_.assign(mesh.nodes.size(), no_index);
   std::vector<std::array<Point<3>, 4>> surface;
   for (const auto &facet : mesh.boundary)
     surface.push_back(corners_of(mesh, facet));
@@ -199,7 +197,7 @@ void SurfaceLoads::add_facets(const SolidMesh &mesh, const unsigned int load)
     for (unsigned int v = 0; v < 4; ++v)
     {
       std::uint32_t &entry = entry_of_node_[mesh.boundary[i].nodes[v]];
-      if (entry == none)
+      if (entry == no_index)
       {
         entry = static_cast<std::uint32_t>(nodes_.size());
         nodes_.push_back(mesh.boundary[i].nodes[v]);

@@ -24,8 +24,6 @@ namespace
 {
   using dealii::Tensor;
 
-  constexpr std::uint32_t none = -1;
-
   /// Bone whose centre is that near to the box around the brain counts as skull
   /// [m]: fluid and bone around a brain are thinner.
   constexpr double skull_reach = 0.015;
@@ -44,10 +42,6 @@ namespace
     return mean;
   }
 
-  std::string file_of(const std::string &folder, const unsigned int rank)
-  {
-    return folder + "/injury." + std::to_string(rank) + ".bin";
-  }
 } // namespace
 
 
@@ -107,7 +101,7 @@ void InjuryReport<Real>::reinit(const SolidBody<Real> &body)
     std::find(mesh.tissues.begin(), mesh.tissues.end(), Tissue::brain) -
     mesh.tissues.begin());
   average_.reinit(mesh, body.exchange(), brain_);
-  sample_of_element_.assign(mesh.elements.size(), none);
+  sample_of_element_.assign(mesh.elements.size(), no_index);
   record_.samples.clear();
   for (const std::uint32_t cell : average_.elements())
   {
@@ -318,7 +312,7 @@ void InjuryReport<Real>::save(const SolidBody<Real> &body,
 {
   const unsigned int rank =
     dealii::Utilities::MPI::this_mpi_process(body.communicator());
-  io::write_file(file_of(folder, rank), [&](std::ostream &out) {
+  io::write_file(io::rank_file(folder, "injury", rank), [&](std::ostream &out) {
     record_.save(out);
     io::put_list(out, chest_.times());
     io::put_list(out, chest_.pressures());
@@ -332,10 +326,11 @@ void InjuryReport<Real>::restore(const SolidBody<Real> &body,
                                  const std::string &folder)
 {
   reinit(body);
-  for (unsigned int rank = 0; std::filesystem::exists(file_of(folder, rank));
+  for (unsigned int rank = 0;
+       std::filesystem::exists(io::rank_file(folder, "injury", rank));
        ++rank)
   {
-    const std::string file = file_of(folder, rank);
+    const std::string file = io::rank_file(folder, "injury", rank);
     std::istringstream in(io::read_file(file));
     record_.restore(in, file, rank, body.communicator());
     std::array<std::vector<double>, 3> chest;

@@ -40,11 +40,6 @@ namespace
   using io::read_binary;
   using io::write_binary;
 
-  std::string file_of(const std::string &folder, const unsigned int rank)
-  {
-    return folder + "/solid." + std::to_string(rank) + ".bin";
-  }
-
   /// Displacement, velocity, the four numbers of the force, and the reaction
   /// part of the force.
   template <typename Real>
@@ -174,7 +169,7 @@ void SolidBody<Real>::save(const std::string &folder) const
         for (unsigned int k = 0; k < 12; ++k)
           damping.back().values[k] = forces[k][lane];
       });
-  io::write_file(file_of(folder, rank), [&](std::ostream &out) {
+  io::write_file(io::rank_file(folder, "solid", rank), [&](std::ostream &out) {
     write_binary(out,
                  CheckpointHeader{mesh_.nodes.size(),
                                   mesh_.elements.size(),
@@ -224,11 +219,13 @@ void SolidBody<Real>::restore(const std::string &folder)
     node[mesh_.global_node[i]] = i;
   for (std::size_t i = 0; i < mesh_.elements.size(); ++i)
     cell[mesh_.global_element[i]] = i;
-  for (unsigned int rank = 0; std::filesystem::exists(file_of(folder, rank));
+  for (unsigned int rank = 0;
+       std::filesystem::exists(io::rank_file(folder, "solid", rank));
        ++rank)
   {
-    std::ifstream in(file_of(folder, rank), std::ios::binary);
-    const CheckpointHeader header = read_header(in, file_of(folder, rank));
+    std::ifstream in(io::rank_file(folder, "solid", rank), std::ios::binary);
+    const CheckpointHeader header =
+      read_header(in, io::rank_file(folder, "solid", rank));
     for (std::uint64_t i = 0; i < header.n_nodes; ++i)
     {
       NodeRecord<Real> record;
@@ -259,7 +256,8 @@ void SolidBody<Real>::restore(const std::string &folder)
     }
     take_damping(in, header.n_damped, cell, operator_.batches());
     if (!in)
-      throw InputError("Checkpoint file " + file_of(folder, rank) +
+      throw InputError("Checkpoint file " +
+                       io::rank_file(folder, "solid", rank) +
                        " ends too early");
   }
   supports_.for_each_reaction([&](const std::uint32_t i,

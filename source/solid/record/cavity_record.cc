@@ -19,11 +19,6 @@ namespace
   using io::read_binary;
   using io::write_binary;
 
-  std::string file_of(const std::string &folder, const unsigned int rank)
-  {
-    return folder + "/cavities." + std::to_string(rank) + ".bin";
-  }
-
   std::array<dealii::Point<3>, 8> corners_of(const SolidMesh &mesh,
                                              const std::uint32_t cell)
   {
@@ -184,20 +179,21 @@ void CavityRecord<Real>::save(const SolidBody<Real> &body,
 {
   const unsigned int rank =
     dealii::Utilities::MPI::this_mpi_process(body.communicator());
-  io::write_file(file_of(folder, rank), [&](std::ostream &out) {
-    for (const Cavities &one : tissues_)
-    {
-      for (const double value : {one.volume, one.largest, one.time})
-        write_binary(out, value);
-      const std::uint64_t size = one.elements.size();
-      write_binary(out, size);
-      for (std::size_t i = 0; i < size; ++i)
+  io::write_file(
+    io::rank_file(folder, "cavities", rank), [&](std::ostream &out) {
+      for (const Cavities &one : tissues_)
       {
-        write_binary(out, body.mesh().global_element[one.elements[i]]);
-        write_binary(out, one.collapses[i]);
+        for (const double value : {one.volume, one.largest, one.time})
+          write_binary(out, value);
+        const std::uint64_t size = one.elements.size();
+        write_binary(out, size);
+        for (std::size_t i = 0; i < size; ++i)
+        {
+          write_binary(out, body.mesh().global_element[one.elements[i]]);
+          write_binary(out, one.collapses[i]);
+        }
       }
-    }
-  });
+    });
 }
 
 
@@ -206,10 +202,12 @@ void CavityRecord<Real>::restore(const SolidBody<Real> &body,
                                  const std::string &folder)
 {
   reinit(body);
-  for (unsigned int rank = 0; std::filesystem::exists(file_of(folder, rank));
+  for (unsigned int rank = 0;
+       std::filesystem::exists(io::rank_file(folder, "cavities", rank));
        ++rank)
   {
-    std::istringstream in(io::read_file(file_of(folder, rank)));
+    std::istringstream in(
+      io::read_file(io::rank_file(folder, "cavities", rank)));
     for (Cavities &one : tissues_)
     {
       std::unordered_map<std::uint32_t, std::size_t> here;
@@ -231,7 +229,8 @@ void CavityRecord<Real>::restore(const SolidBody<Real> &body,
       }
     }
     if (!in)
-      throw InputError("Checkpoint file " + file_of(folder, rank) +
+      throw InputError("Checkpoint file " +
+                       io::rank_file(folder, "cavities", rank) +
                        " belongs to another scene");
   }
 }

@@ -4,6 +4,7 @@
 #include <contrecoup/base/parameters/parameters.h>
 #include <contrecoup/base/parameters/used_with.h>
 #include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/io/file/binary_records.h>
 #include <contrecoup/io/file/checked_file.h>
 #include <contrecoup/solid/body/stress_invariants.h>
 #include <contrecoup/solid/body/tissue_measures.h>
@@ -24,10 +25,6 @@ namespace
     std::array<float, 4> peaks;
   };
 
-  std::string file_of(const std::string &folder, const unsigned int rank)
-  {
-    return folder + "/peaks." + std::to_string(rank) + ".bin";
-  }
 } // namespace
 
 
@@ -176,7 +173,7 @@ void PeakFields<Real>::save(const SolidBody<Real> &body,
     records.push_back(
       {body.mesh().global_element[i],
        {{fields_[0][i], fields_[1][i], fields_[2][i], fields_[3][i]}}});
-  io::write_file(file_of(folder, rank), [&](std::ostream &out) {
+  io::write_file(io::rank_file(folder, "peaks", rank), [&](std::ostream &out) {
     const std::uint64_t size = records.size();
     out.write(reinterpret_cast<const char *>(&n_steps_), sizeof(n_steps_));
     out.write(reinterpret_cast<const char *>(&size), sizeof(size));
@@ -194,10 +191,11 @@ void PeakFields<Real>::restore(const SolidBody<Real> &body,
   std::unordered_map<std::uint32_t, std::size_t> here;
   for (std::size_t i = 0; i < body.mesh().elements.size(); ++i)
     here[body.mesh().global_element[i]] = i;
-  for (unsigned int rank = 0; std::filesystem::exists(file_of(folder, rank));
+  for (unsigned int rank = 0;
+       std::filesystem::exists(io::rank_file(folder, "peaks", rank));
        ++rank)
   {
-    std::istringstream in(io::read_file(file_of(folder, rank)));
+    std::istringstream in(io::read_file(io::rank_file(folder, "peaks", rank)));
     std::uint64_t size = 0;
     in.read(reinterpret_cast<char *>(&n_steps_), sizeof(n_steps_));
     in.read(reinterpret_cast<char *>(&size), sizeof(size));
@@ -211,7 +209,8 @@ void PeakFields<Real>::restore(const SolidBody<Real> &body,
           fields_[k][found->second] = record.peaks[k];
     }
     if (!in)
-      throw InputError("Checkpoint file " + file_of(folder, rank) +
+      throw InputError("Checkpoint file " +
+                       io::rank_file(folder, "peaks", rank) +
                        " belongs to another scene");
   }
 }

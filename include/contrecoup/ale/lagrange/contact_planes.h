@@ -66,7 +66,7 @@ public:
 
   /**
    * Finds the nodes of free surfaces. Collective.
-   * @param position of the nodes, AleState::width numbers each [m]
+   * @param position of the nodes, node_width numbers each [m]
    * @param is_free whether a boundary id is a free surface
    */
   void reinit(const HexSpace &space,

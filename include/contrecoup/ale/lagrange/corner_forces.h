@@ -35,7 +35,7 @@ public:
    * Computes the forces.
    * @param step size of the step whose midpoint this state is, over which
    * viscoelastic solids relax; 0: the start of a step [s]
-   * @param force nodal forces, AleState::width numbers each, to which the
+   * @param force nodal forces, node_width numbers each, to which the
    * forces of owned cells are added [N]
    */
   void compute(AleState &state,

@@ -108,7 +108,7 @@ public:
    * these nodes get the acceleration of the scheme.
    * @param velocity with inverse masses
    * @param is_first_half of a step; the second half starts from its result
-   * @param force AleState::width numbers for each node [N]
+   * @param force node_width numbers for each node [N]
    * @return whether the iteration converged. Collective.
    */
   bool balance(const dealii::AlignedVector<double> &velocity,

@@ -26,7 +26,7 @@ public:
   /**
    * Computes interface normals as area-weighted means of face normals; at
    * walls, normals are projected onto the wall. Collective.
-   * @param position of the nodes, AleState::width numbers each [m]
+   * @param position of the nodes, node_width numbers each [m]
    */
   void find_normals(const dealii::AlignedVector<double> &position,
                     const SlipWalls &walls);

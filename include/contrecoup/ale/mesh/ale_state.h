@@ -9,12 +9,20 @@
 
 namespace contrecoup::ale
 {
+/// Numbers per node in nodal fields.
+constexpr unsigned int node_width = 4;
+
+/// The vector of a node in a nodal field.
+inline dealii::Tensor<1, 3>
+vector_at(const dealii::AlignedVector<double> &field, const std::uint32_t node)
+{
+  const double *const values = &field[node_width * node];
+  return dealii::Tensor<1, 3>({values[0], values[1], values[2]});
+}
+
 /// Nodal and cell variables of a rank: owned entries first, then ghost copies.
 struct AleState
 {
-  /// Numbers per node.
-  static constexpr unsigned int width = 4;
-
   dealii::AlignedVector<double> position; ///< x, y, z, 0 [m]
   /// v_x, v_y, v_z [m/s], 1 / mass [1/kg]
   dealii::AlignedVector<double> velocity;

@@ -12,14 +12,14 @@
 namespace contrecoup::ale
 {
 /// Area vector of a bilinear face [m^2].
-/// @param position of the nodes, AleState::width numbers each [m]
+/// @param position of the nodes, node_width numbers each [m]
 dealii::Tensor<1, 3> area_vector(const std::array<std::uint32_t, 4> &nodes,
                                  const dealii::AlignedVector<double> &position);
 
 /**
  * Outward area vector of the boundary at each node, including ghost copies: a
  * quarter of each adjacent boundary face [m^2]. Collective.
- * @param position of the nodes, AleState::width numbers each [m]
+ * @param position of the nodes, node_width numbers each [m]
  * @param is_meant whether a boundary id counts
  */
 std::vector<dealii::Tensor<1, 3>>

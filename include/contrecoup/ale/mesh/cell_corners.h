@@ -9,7 +9,7 @@
 
 namespace contrecoup::ale
 {
-/// The first three components of a nodal field (AleState::width numbers per
+/// The first three components of a nodal field (node_width numbers per
 /// node) at the corners of a cell.
 inline HexVectors<double> corners_of(const HexSpace::Cell &cell,
                                      const dealii::AlignedVector<double> &field)
@@ -17,7 +17,7 @@ inline HexVectors<double> corners_of(const HexSpace::Cell &cell,
   HexVectors<double> result;
   for (unsigned int i = 0; i < 8; ++i)
     for (unsigned int d = 0; d < 3; ++d)
-      result[i][d] = field[AleState::width * cell[i] + d];
+      result[i][d] = field[node_width * cell[i] + d];
   return result;
 }
 } // namespace contrecoup::ale

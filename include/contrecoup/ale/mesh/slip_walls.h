@@ -39,7 +39,7 @@ public:
   /// between the sides.
   void mirror(const HexSpace &space, const HexWedge &wedge);
 
-  /// Makes nodal vectors (AleState::width numbers each) on the two sides of
+  /// Makes nodal vectors (node_width numbers each) on the two sides of
   /// the wedge mirror images.
   void make_mirrored(dealii::AlignedVector<double> &field) const;
 
@@ -47,7 +47,7 @@ public:
   void apply(dealii::AlignedVector<double> &velocity, const double time) const;
 
   /// Removes the components normal to walls from nodal vectors
-  /// (AleState::width numbers each).
+  /// (node_width numbers each).
   void remove_normal_parts(dealii::AlignedVector<double> &field) const;
 
 private:

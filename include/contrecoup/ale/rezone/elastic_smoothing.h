@@ -41,7 +41,7 @@ struct PrescribedNodes
   std::vector<InclinedNode> inclined;
 };
 
-/// Data carried from one solution to the next, AleState::width numbers per
+/// Data carried from one solution to the next, node_width numbers per
 /// node. Checkpoints hold them, so that a resumed run is bitwise identical.
 struct SmoothingMemory
 {
@@ -75,7 +75,7 @@ public:
               const ElasticOptions &options);
 
   /**
-   * @param position of the nodes before smoothing, AleState::width numbers
+   * @param position of the nodes before smoothing, node_width numbers
    * each [m]
    * @param displacement prescribed values as input; the free components are
    * computed [m]

@@ -20,7 +20,7 @@ public:
 
   /**
    * Computes the normals of the walls at nodes. Collective.
-   * @param position of the nodes, AleState::width numbers each [m]
+   * @param position of the nodes, node_width numbers each [m]
    * @param boundaries candidate boundary ids, the same on all ranks
    * @param is_inclined whether a face of the boundary is normal to no axis
    */

@@ -40,7 +40,7 @@ public:
 
   /**
    * Computes the gradients.
-   * @param position of the nodes, AleState::width numbers each [m]
+   * @param position of the nodes, node_width numbers each [m]
    * @param fields of all cells, including ghost copies
    */
   void compute(const dealii::AlignedVector<double> &position,

@@ -8,6 +8,8 @@
 
 namespace contrecoup
 {
+bool begins_with(const std::string &text, const std::string &beginning);
+
 /// @p text without leading and trailing white space.
 std::string trim(const std::string &text);
 

@@ -5,10 +5,14 @@
 
 #include <contrecoup/coupling/scene/scene_parameters.h>
 
+#include <limits>
 #include <string>
 
 namespace contrecoup::coupling
 {
+/// In place of a number that nothing gives.
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
 /// Relative difference of the incident wave of the model from the tables of
 /// Kingery and Bulmash where cells are no reason [-]; NaN: not measured.
 struct ModelBias

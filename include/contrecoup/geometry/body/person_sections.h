@@ -11,7 +11,7 @@
 namespace contrecoup
 {
 /// One section of a limb, measured.
-struct Section
+struct LimbSection
 {
   double station = 0.;         ///< along the limb [m]
   double center[2] = {0., 0.}; ///< of its area, across [m]
@@ -23,7 +23,7 @@ struct Section
 struct Limb
 {
   SectionFrame frame;
-  std::vector<Section> sections;
+  std::vector<LimbSection> sections;
 };
 
 /**

@@ -12,6 +12,20 @@
 
 namespace contrecoup
 {
+/// In place of the index of a node, cell or facet that there is not.
+constexpr std::uint32_t no_index = -1;
+
+/// deal.II's vertex number of each corner of HexMesh, and the reverse.
+constexpr unsigned int vertex_of_corner[] = {0, 1, 3, 2, 4, 5, 7, 6};
+
+/// Corners of the faces at -x, +x, -y, +y, -z, +z, seen from outside.
+constexpr unsigned int hex_face_corners[6][4] = {{0, 4, 7, 3},
+                                                 {1, 2, 6, 5},
+                                                 {0, 1, 5, 4},
+                                                 {3, 7, 6, 2},
+                                                 {0, 3, 2, 1},
+                                                 {4, 5, 6, 7}};
+
 /// A hexahedral mesh of a body. Corners are numbered as in VTK and Gmsh:
 /// around the bottom, then around the top; corner 0 is joined to corners 1, 3
 /// and 4.

@@ -20,6 +20,14 @@
 
 namespace contrecoup::io
 {
+/// The file of a rank in a checkpoint's folder.
+inline std::string rank_file(const std::string &folder,
+                             const std::string &name,
+                             const unsigned int rank)
+{
+  return folder + "/" + name + "." + std::to_string(rank) + ".bin";
+}
+
 /// Writes a trivially copyable value.
 template <typename Value>
 void write_binary(std::ostream &out, const Value &value)

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <ostream>
 #include <string>
@@ -11,6 +12,9 @@ namespace contrecoup
 {
 namespace io
 {
+  /// Bytes at most that one byte compressed by zlib can become.
+  constexpr std::uint64_t largest_zlib_ratio = 1032;
+
   /**
    * Writes a file atomically: into a temporary file beside it, which is
    * renamed when complete. On failure (disk full) nothing is left.

@@ -11,6 +11,9 @@ namespace contrecoup
 {
 namespace io
 {
+  /// JSON with its members in the order in which they were written.
+  using Json = nlohmann::ordered_json;
+
   /// A kind of files with the number of its format. The number grows with each
   /// change that programs of before would misread; what is only added leaves
   /// it.
@@ -42,13 +45,12 @@ namespace io
 
   /// @param found attribute of @p file, see format_text()
   /// @throws InputError when it is of another kind or a newer number
-  void require_readable(const FileFormat &format,
-                        const std::string &found,
-                        const std::string &file);
+  void require_format(const FileFormat &format,
+                      const std::string &found,
+                      const std::string &file);
 
   /// Content of a JSON file; null if it is missing, discarded if damaged.
   /// @throws InputError when its member "format" is newer
-  nlohmann::ordered_json read_json(const std::string &file,
-                                   const FileFormat &format);
+  Json read_json(const std::string &file, const FileFormat &format);
 } // namespace io
 } // namespace contrecoup

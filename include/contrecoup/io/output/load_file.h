@@ -40,6 +40,12 @@ namespace io
       std::vector<double> areas;     ///< [m^2]
       SkinMesh corners;              ///< may be empty
     };
+    /// The point or vector @p i of a list in Facets.
+    static dealii::Point<3> point_at(const std::vector<double> &numbers,
+                                     const std::size_t i)
+    {
+      return {numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]};
+    }
     /// Number of times compressed together; appending to an incomplete chunk
     /// rewrites it at another place in the file.
     static constexpr unsigned int chunk_times = 64;

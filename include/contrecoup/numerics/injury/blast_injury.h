@@ -5,6 +5,9 @@
 
 namespace contrecoup
 {
+/// Of the standard atmosphere [Pa].
+constexpr double sea_level_pressure = 101325.;
+
 /**
  * Peak overpressure of a simple blast wave that half of the exposed men
  * survive for 24 h [Pa]: 61.5 psi (1 + 6.76 T^-1.064), with the duration T in
