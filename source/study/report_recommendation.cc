@@ -21,7 +21,8 @@ namespace
     return join(parts, ", ");
   }
 
-  std::string cost_of(const StudyParameters &parameters, const ResultRow &row)
+  std::string words_on_cost(const StudyParameters &parameters,
+                            const ResultRow &row)
   {
     return parameters.cost == "memory" ? bytes(row.cost)
            : parameters.cost == "updates"
@@ -61,11 +62,12 @@ std::vector<std::string> recommendation(const StudyParameters &parameters,
   if (!result.recommended)
     return {"No variant keeps " + goal + ". The most accurate, " +
             describe(parameters, *best) + ", has " + brief(best->error, 3) +
-            " for " + cost_of(parameters, *best) + "."};
+            " for " + words_on_cost(parameters, *best) + "."};
   const ResultRow &row = result.rows[*result.recommended];
   return {"The cheapest way to keep " + goal + " is " +
           describe(parameters, row) + ": error " + brief(row.error, 3) +
-          " for " + cost_of(parameters, row) + ". It is in recommended.prm."};
+          " for " + words_on_cost(parameters, row) +
+          ". It is in recommended.prm."};
 }
 
 std::string recommended_file(const StudyParameters &parameters,

@@ -14,7 +14,7 @@ namespace contrecoup::study
 namespace
 {
   using io::read_json;
-  const io::Json &member(const io::Json &object, const char *const name)
+  const io::Json &member_of(const io::Json &object, const char *const name)
   {
     static const io::Json none;
     return object.is_object() && object.contains(name) ? object[name] : none;
@@ -22,13 +22,13 @@ namespace
 
   double number(const io::Json &object, const char *const name)
   {
-    const io::Json &value = member(object, name);
+    const io::Json &value = member_of(object, name);
     return value.is_number() ? value.get<double>() : RunRecord::unknown;
   }
 
   std::string text(const io::Json &object, const char *const name)
   {
-    const io::Json &value = member(object, name);
+    const io::Json &value = member_of(object, name);
     return value.is_string() ? value.get<std::string>() : "";
   }
 
@@ -44,7 +44,7 @@ namespace
 
   RunRecord of_summary(const io::Json &summary)
   {
-    const io::Json &performance = member(summary, "performance");
+    const io::Json &performance = member_of(summary, "performance");
     RunRecord record;
     record.status = text(summary, "status");
     record.message = text(summary, "message");
@@ -99,7 +99,7 @@ RunRecord read_record(const std::string &folder)
   record.status =
     text(read_json(folder + "/manifest.json", io::formats::manifest), "status");
   const io::Json scene = read_json(folder + "/scene.json", io::formats::scene);
-  const io::Json &stages = member(scene, "stages");
+  const io::Json &stages = member_of(scene, "stages");
   if (stages.is_array())
     for (const io::Json &stage : stages)
       add_stage(folder, stage, record);

@@ -85,7 +85,7 @@ namespace
     return pattern.substr(0, pattern.find('*'));
   }
 
-  bool contains(const std::string &text, const char letter)
+  bool has_letter(const std::string &text, const char letter)
   {
     return text.find(letter) != std::string::npos;
   }
@@ -93,7 +93,7 @@ namespace
   /// What follows in @p address as many separators as @p begin has.
   std::string end_after(const std::string &begin, const std::string &address)
   {
-    const char separator = contains(address, ':') ? ':' : '.';
+    const char separator = has_letter(address, ':') ? ':' : '.';
     std::size_t place = 0;
     for (auto left = std::count(begin.begin(), begin.end(), separator);
          left > 0 && place != std::string::npos;
@@ -125,10 +125,10 @@ namespace
     std::vector<std::string> result;
     for (const std::string &output : outputs)
     {
-      const std::string name = contains(output, ':')
+      const std::string name = has_letter(output, ':')
                                  ? output.substr(0, output.find(':')) + ":*"
                                  : output;
-      if (contains(name, '*') &&
+      if (has_letter(name, '*') &&
           std::find(result.begin(), result.end(), name) == result.end())
         result.push_back(name);
     }
@@ -208,12 +208,12 @@ bool can_have(const std::vector<std::string> &outputs,
   return std::any_of(
     outputs.begin(), outputs.end(), [&](const std::string &output) {
       // Without a colon an address is one of summary.json.
-      if (contains(output, ':') != contains(address, ':'))
+      if (has_letter(output, ':') != has_letter(address, ':'))
         return false;
       if (address.find('*') == std::string::npos)
         return fnmatch(output.c_str(),
                        address.c_str(),
-                       contains(address, ':') ? 0 : FNM_PATHNAME) == 0;
+                       has_letter(address, ':') ? 0 : FNM_PATHNAME) == 0;
       // Two patterns can agree if what precedes their first "*" does.
       const std::string one = literal_begin(output);
       const std::string other = literal_begin(address);
@@ -229,7 +229,7 @@ std::string suggest_output(const std::vector<std::string> &outputs,
   {
     const std::string begin = literal_begin(output);
     const std::string end =
-      contains(output, '*') ? end_after(begin, address) : "";
+      has_letter(output, '*') ? end_after(begin, address) : "";
     const std::string candidate = begin + end;
     // Any end is possible behind a beginning that is another one.
     const std::string asked = address.substr(0, address.size() - end.size());

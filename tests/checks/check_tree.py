@@ -275,19 +275,19 @@ def unnamed_functions(lines):
 
 
 def overloads(root):
-    """Sources that the compiler reads as one hide no overloads from each
-    other: the order of the sources would decide which one is called."""
-    call = re.compile(r"contrecoup_compile_together\((\w+)\s([^)]*)\)")
+    """Sources of a folder, which the compiler reads as one, hide no overloads from
+    each other: the order of the sources would decide which one is called."""
+    call = re.compile(r"contrecoup_add_room\(\w+\s([^)]*)\)")
     problems = []
     for folder, _, names in os.walk(os.path.join(root, "source")):
         if "CMakeLists.txt" not in names:
             continue
-        text = "\n".join(lines_of(root, os.path.relpath(
-            os.path.join(folder, "CMakeLists.txt"), root)))
-        for layer, sources in call.findall(text):
+        here = os.path.relpath(folder, root)
+        text = "\n".join(lines_of(root, os.path.join(here, "CMakeLists.txt")))
+        for sources in call.findall(text):
             first = {}
-            for source in sources.split():
-                path = os.path.join("source", layer, source)
+            for source in sources.split("ALONE")[0].split():
+                path = os.path.join(here, source)
                 for name in sorted(unnamed_functions(lines_of(root, path))):
                     if name in first:
                         problems.append(f"{path}: '{name}' is in the unnamed "

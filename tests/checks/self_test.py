@@ -163,10 +163,13 @@ class TreeTest(unittest.TestCase):
         hidden = TOP + ("namespace\n{\n  double number(const char *name)\n"
                         "  {\n    return *name;\n  }\n} // namespace\n")
         self.write("source/io/file/one.cc", hidden)
-        self.write("source/io/run/two.cc", hidden.replace("char", "double"))
-        self.write("source/io/CMakeLists.txt", "contrecoup_compile_together("
-                   "io file/one.cc\n  run/two.cc)\n")
-        self.expect("overloads", "run/two.cc: 'number'", "file/one.cc")
+        self.write("source/io/file/two.cc", hidden.replace("char", "double"))
+        self.write("source/io/file/CMakeLists.txt",
+                   "contrecoup_add_room(io\n  one.cc\n  ALONE\n  two.cc)\n")
+        self.assertEqual(check_tree.overloads(self.root), [])
+        self.write("source/io/file/CMakeLists.txt",
+                   "contrecoup_add_room(io\n  one.cc\n  two.cc)\n")
+        self.expect("overloads", "two.cc: 'number'", "one.cc")
 
     def test_missing_licence(self):
         self.write("source/materials/two.cc", "int two();\n")

@@ -313,9 +313,9 @@ namespace coupling
       }
 
       /// Volumes of organs beside those that they should have [m^3].
-      static Json organs_of(const BodyReport &report)
+      static io::Json organs_of(const BodyReport &report)
       {
-        Json organs = Json::array();
+        io::Json organs = Json::array();
         for (const OrganCheck &check : report.checks)
           organs.push_back({{"name", check.reference.name},
                             {"volume", check.volume},

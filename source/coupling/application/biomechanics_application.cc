@@ -13,8 +13,8 @@ namespace contrecoup::coupling
 namespace
 {
   template <typename Real>
-  std::unique_ptr<Simulation> create(ParameterHandler &prm,
-                                     const MPI_Comm communicator)
+  std::unique_ptr<Simulation> create_solid(ParameterHandler &prm,
+                                           const MPI_Comm communicator)
   {
     auto simulation =
       std::make_unique<solid::SolidSimulation<Real>>(communicator);
@@ -30,8 +30,8 @@ namespace
       const Section section(prm, "Elements");
       single = prm.get("Precision") == "single";
     }
-    return single ? create<float>(prm, communicator)
-                  : create<double>(prm, communicator);
+    return single ? create_solid<float>(prm, communicator)
+                  : create_solid<double>(prm, communicator);
   }
 
   /// Whether the body consists of hexahedra of one's own.

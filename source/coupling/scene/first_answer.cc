@@ -17,10 +17,10 @@ namespace
   }
 
 
-  TableAnswer::Effect effect_of(const double overpressure,
-                                const double load,
-                                const double duration,
-                                const double body_mass)
+  TableAnswer::Effect effect_on_person(const double overpressure,
+                                       const double load,
+                                       const double duration,
+                                       const double body_mass)
   {
     const double exposure = load / lung_median_lethal_overpressure(
                                      duration, body_mass, sea_level_pressure);
@@ -60,14 +60,15 @@ std::optional<TableAnswer> table_answer(const SceneParameters &scene,
   const double duration = value(BlastQuantity::duration);
   const double incident = value(BlastQuantity::overpressure);
   const double reflected = value(BlastQuantity::reflected_overpressure);
-  return TableAnswer{value(BlastQuantity::arrival),
-                     value(BlastQuantity::impulse),
+  return TableAnswer{
+    value(BlastQuantity::arrival),
+    value(BlastQuantity::impulse),
+    duration,
+    effect_on_person(incident,
+                     standing_load(incident, sea_level_pressure),
                      duration,
-                     effect_of(incident,
-                               standing_load(incident, sea_level_pressure),
-                               duration,
-                               body_mass),
-                     effect_of(reflected, reflected, duration, body_mass)};
+                     body_mass),
+    effect_on_person(reflected, reflected, duration, body_mass)};
 }
 
 

@@ -24,7 +24,7 @@ namespace
   }
 
   /// Volume of a shape from voxels of this size [m^3].
-  double volume_of(const ShapePointer &shape, const double spacing)
+  double volume_of_shape(const ShapePointer &shape, const double spacing)
   {
     LabelGrid grid = make_grid(shape->bounding_box(), spacing);
     ShapeBody(shape, {{{"", Tissue::none}, shape}}).fill(grid);
@@ -98,7 +98,7 @@ double Phantom::find_girth() const
   for (unsigned int step = 0; step < 12; ++step)
   {
     const double ratio =
-      wanted / volume_of(phantom::make_flesh(frame), spacing);
+      wanted / volume_of_shape(phantom::make_flesh(frame), spacing);
     frame.girth *= std::sqrt(ratio);
     if (std::abs(ratio - 1.) < 1e-3)
       break;

@@ -38,16 +38,16 @@ namespace
 
   /// Weights of non-hanging nodes that replace hanging masters.
   std::map<std::uint32_t, double>
-  resolve(const std::map<unsigned int, std::vector<unsigned int>> &masters,
-          const unsigned int vertex,
-          const std::vector<std::uint32_t> &node)
+  weights_of(const std::map<unsigned int, std::vector<unsigned int>> &masters,
+             const unsigned int vertex,
+             const std::vector<std::uint32_t> &node)
   {
     const auto found = masters.find(vertex);
     if (found == masters.end())
       return {{node[vertex], 1.}};
     std::map<std::uint32_t, double> weights;
     for (const unsigned int master : found->second)
-      for (const auto &[one, weight] : resolve(masters, master, node))
+      for (const auto &[one, weight] : weights_of(masters, master, node))
         weights[one] += weight / found->second.size();
     return weights;
   }
@@ -118,7 +118,7 @@ HexMesh to_hex_mesh(const Mesh &triangulation,
   {
     HexMesh::HangingNode one;
     one.node = node[vertex];
-    for (const auto &[master, weight] : resolve(masters, vertex, node))
+    for (const auto &[master, weight] : weights_of(masters, vertex, node))
     {
       one.masters.push_back(master);
       one.weights.push_back(weight);

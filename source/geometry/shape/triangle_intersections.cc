@@ -35,7 +35,7 @@ namespace
                               to_cgal(mesh.vertices[v[2]]));
   }
 
-  Box box_of(const TriangleMesh &mesh, const std::uint32_t t)
+  Box box_of_triangle(const TriangleMesh &mesh, const std::uint32_t t)
   {
     Point<3> low = mesh.vertices[mesh.triangles[t][0]];
     Point<3> high = low;
@@ -94,7 +94,7 @@ std::vector<TrianglePair> find_self_intersections(const TriangleMesh &mesh,
 {
   std::vector<Entry> entries;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
-    entries.emplace_back(box_of(mesh, t), t);
+    entries.emplace_back(box_of_triangle(mesh, t), t);
   const bg::index::rtree<Entry, bg::index::rstar<16>> tree(entries);
   std::vector<TrianglePair> pairs;
   for (const auto &[box, t] : entries)

@@ -55,9 +55,9 @@ namespace
 
 
   /// HIC from the speed gained until each time [m/s].
-  HeadInjuryCriterion criterion_of(const std::vector<double> &times,
-                                   const std::vector<double> &speed,
-                                   const double longest)
+  HeadInjuryCriterion head_criterion_of(const std::vector<double> &times,
+                                        const std::vector<double> &speed,
+                                        const double longest)
   {
     HeadInjuryCriterion result;
     for (std::size_t i = 0; i < times.size(); ++i)
@@ -83,7 +83,7 @@ head_injury_criterion(const std::vector<double> &times,
                       const std::vector<double> &accelerations,
                       const double longest)
 {
-  return criterion_of(times, integrals(times, accelerations), longest);
+  return head_criterion_of(times, integrals(times, accelerations), longest);
 }
 
 
@@ -101,7 +101,7 @@ head_injury_criterion(const std::vector<double> &times,
       square += std::pow(velocities[i][d] - velocities[i - 1][d], 2);
     speed.push_back(speed.back() + std::sqrt(square));
   }
-  return criterion_of(times, speed, longest);
+  return head_criterion_of(times, speed, longest);
 }
 
 

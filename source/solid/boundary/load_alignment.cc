@@ -22,8 +22,8 @@ namespace
   constexpr std::size_t max_sampled_facets = 4000;
 
   /// Centre of the bounding box of facets and their mirror images.
-  Point<3> middle_of(const io::LoadFile::Facets &facets,
-                     const std::array<bool, 3> &mirrored)
+  Point<3> middle_of_facets(const io::LoadFile::Facets &facets,
+                            const std::array<bool, 3> &mirrored)
   {
     Point<3> lower = io::LoadFile::point_at(facets.centroids, 0), upper = lower;
     for (std::size_t i = 0; i < facets.areas.size(); ++i)
@@ -104,7 +104,7 @@ LoadAlignment measure_load_alignment(const io::LoadFile::Facets &facets,
   alignment.facet_edge = std::sqrt(area * static_cast<double>(stride) /
                                    static_cast<double>(n_facets));
   alignment.offset =
-    middle_of(facets, mirrored) - surface.bounding_box().center();
+    middle_of_facets(facets, mirrored) - surface.bounding_box().center();
   return alignment;
 }
 
