@@ -315,7 +315,7 @@ namespace coupling
       /// Volumes of organs beside those that they should have [m^3].
       static io::Json organs_of(const BodyReport &report)
       {
-        io::Json organs = Json::array();
+        io::Json organs = io::Json::array();
         for (const OrganCheck &check : report.checks)
           organs.push_back({{"name", check.reference.name},
                             {"volume", check.volume},
