@@ -35,7 +35,7 @@ namespace
   /// Adds the warnings of a summary or of scene.json that are not known yet.
   void add_warnings(const io::Json &summary, RunRecord &record)
   {
-    for (const io::Json &warning : member(summary, "warnings"))
+    for (const io::Json &warning : member_of(summary, "warnings"))
       if (warning.is_string() &&
           std::find(record.warnings.begin(), record.warnings.end(), warning) ==
             record.warnings.end())

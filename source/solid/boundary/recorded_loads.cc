@@ -195,7 +195,8 @@ void RecordedLoads::reinit(const std::vector<Point<3>> &middles,
     for (auto found = tree.qbegin(query); found != tree.qend(); ++found)
     {
       const bool faces =
-        area * Tensor<1, 3>(io::LoadFile::point_at(facets.normals, *found)) > 0.;
+        area * Tensor<1, 3>(io::LoadFile::point_at(facets.normals, *found)) >
+        0.;
       // Facets that face away count only if no other facet is near.
       const double distance =
         place.distance(places[*found]) + (faces ? 0. : largest_distance_);
@@ -333,7 +334,8 @@ void RecordedLoads::sum_impulses(const std::vector<double> &impulse)
   for (std::size_t i = 0; i < impulse.size(); ++i)
   {
     recorded_impulse_ -=
-      impulse[i] * facets.areas[i] * Tensor<1, 3>(io::LoadFile::point_at(facets.normals, i));
+      impulse[i] * facets.areas[i] *
+      Tensor<1, 3>(io::LoadFile::point_at(facets.normals, i));
     recorded += std::abs(impulse[i]) * facets.areas[i];
   }
   for (unsigned int d = 0; d < 3; ++d)
@@ -348,7 +350,8 @@ void RecordedLoads::sum_impulses(const std::vector<double> &impulse)
     {
       mapped_impulse_ -= impulse[source_[i]] * areas_[i];
       // Voxel stairs overestimate areas, but not their projections.
-      const Tensor<1, 3> normal = io::LoadFile::point_at(facets.normals, source_[i]);
+      const Tensor<1, 3> normal =
+        io::LoadFile::point_at(facets.normals, source_[i]);
       double projection = 0.;
       for (unsigned int d = 0; d < 3; ++d)
       {
