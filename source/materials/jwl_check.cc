@@ -3,6 +3,7 @@
 
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
+#include <contrecoup/materials/cold_curve.h>
 #include <contrecoup/materials/explosives.h>
 #include <contrecoup/materials/jwl_check.h>
 

@@ -4,6 +4,7 @@
 
 import math
 
+from plot.readers import files
 from plot.report import page
 
 
@@ -45,9 +46,10 @@ def _reflections(scene):
     distance, height = scene.fact("distance"), scene.fact("height")
     may_merge = None not in (distance, height) and math.atan2(
         distance, 2. * height) > math.radians(40.)
-    is_lower = any(row.get("name") == "peak_overpressure"
-                   and row["run"] < row["tables"]
-                   for row in scene.list_of("table_comparison"))
+    peaks = [[files.as_number(row.get(key)) for key in ("run", "tables")]
+             for row in scene.list_of("table_comparison")
+             if row.get("name") == "peak_overpressure"]
+    is_lower = any(None not in pair and pair[0] < pair[1] for pair in peaks)
     if may_merge and not is_lower and not _ground_is_late(scene):
         return ("The wave at the probe may have merged with its reflection by "
                 "the ground, which raises peak and impulse and lets it arrive "

@@ -262,12 +262,11 @@ void Remap::collect(AleState &state,
   node_exchange_.update_ghost_values(sums);
   for (std::size_t node = 0; node < space_->n_nodes(); ++node)
   {
-    add_unadvected_mass(
-      state, &state.velocity[node_width * node], &sums[n * node]);
+    double *v = &state.velocity[node_width * node];
+    add_unadvected_mass(state, v, &sums[n * node]);
     for (unsigned int d = 0; d < 3; ++d)
-      state.velocity[node_width * node + d] =
-        sums[n * node + d] / sums[n * node + 3];
-    state.velocity[node_width * node + 3] = 1. / sums[n * node + 3];
+      v[d] = sums[n * node + d] / sums[n * node + 3];
+    v[3] = 1. / sums[n * node + 3];
   }
   walls.apply(state.velocity, state.time);
   ties_.find_normals(position, walls);

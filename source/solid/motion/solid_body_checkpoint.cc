@@ -219,13 +219,13 @@ void SolidBody<Real>::restore(const std::string &folder)
     node[mesh_.global_node[i]] = i;
   for (std::size_t i = 0; i < mesh_.elements.size(); ++i)
     cell[mesh_.global_element[i]] = i;
-  for (unsigned int rank = 0;
-       std::filesystem::exists(io::rank_file(folder, "solid", rank));
-       ++rank)
+  for (unsigned int rank = 0;; ++rank)
   {
-    std::ifstream in(io::rank_file(folder, "solid", rank), std::ios::binary);
-    const CheckpointHeader header =
-      read_header(in, io::rank_file(folder, "solid", rank));
+    const std::string file = io::rank_file(folder, "solid", rank);
+    if (!std::filesystem::exists(file))
+      break;
+    std::ifstream in(file, std::ios::binary);
+    const CheckpointHeader header = read_header(in, file);
     for (std::uint64_t i = 0; i < header.n_nodes; ++i)
     {
       NodeRecord<Real> record;
@@ -256,9 +256,7 @@ void SolidBody<Real>::restore(const std::string &folder)
     }
     take_damping(in, header.n_damped, cell, operator_.batches());
     if (!in)
-      throw InputError("Checkpoint file " +
-                       io::rank_file(folder, "solid", rank) +
-                       " ends too early");
+      throw InputError("Checkpoint file " + file + " ends too early");
   }
   supports_.for_each_reaction([&](const std::uint32_t i,
                                   const unsigned int d,

@@ -473,6 +473,12 @@ def _without_tables(text, files):
                                                == "eardrum_rupture"):
             require_chance(match[0], row["tables"], row["name"])
             require_chance(match[1], row["run"], row["name"])
+    possible = re.search(r"by the tables lung injury possible, load ([\d.]+)", text)
+    if possible:
+        [load] = [row["tables"] for row in files.scene["table_comparison"]
+                  if row["name"] == "lung_exposure"]
+        require_same(possible[1], load, "load of the lungs by the tables")
+        text = text.replace(possible[0], "…")
     text = re.sub(r"(?<=By the tables, ).*?(?=\.\n)", "…", text)
     return re.sub(r"(?<=by this run, )[^)]*(?= by the tables)|"
                   r"(?<=death with a probability of ).*?(?=, where)|"
@@ -521,10 +527,14 @@ def _without_verdicts(page, text):
         return text
     count = WORDS[len(unsure)] if unsure else "none"
     told = f"could change {count} of {WORDS[sure + len(unsure)]} verdicts"
-    match = re.search(told + r"(?:: (.*))?\.\n", text)
+    match = re.search(told + r"(?:: (.*?))?(?:; it is unknown of (.*))?\.\n", text)
     require(match, f"the answer lacks «{told}»: {text}")
-    named = re.split(", | and ", match[1]) if match[1] else []
-    require(sorted(named) == sorted(unsure), f"{named} instead of {unsure}")
+    unknown = [_short(row["measure"]) for row in rows
+               if "unknown" in row["value and its estimated error"]
+               and row["verdict"] != "exposure, no verdict"]
+    for words, wanted in zip(match.groups(), (unsure, unknown)):
+        named = re.split(", | and ", words) if words else []
+        require(sorted(named) == sorted(wanted), f"{named} instead of {wanted}")
     return text.replace(match[0], "")
 
 
