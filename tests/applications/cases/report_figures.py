@@ -412,7 +412,8 @@ def check_headline(page, files):
     text, count = _without_chances(text, chances, rows, files)
     text = _without_verdicts(page, text)
     text = re.sub(r"\b(?:HIC15|CSDM15|CSDM25)\b|in \d+ % of cases|AIS [234]|"
-                  "AEP-55|over the 50 % lethality load", "…", text)
+                  "AEP-55|over the 50 % lethality load|strain that 95 % of", "…",
+                  text)
     wanted += _free_air(files) + _afterburn(files) + _loads(files)
     wanted += _energy(files) + _model_bias(files)
     for row in files.scene["audit"]:
