@@ -8,10 +8,11 @@ The prefix is moved after the installation and is read-only."""
 import os
 import re
 import shutil
-import subprocess
 import sys
 import tempfile
 import unittest
+
+from command import run
 
 SOURCE = os.path.dirname(os.path.dirname(os.path.dirname(
     os.path.abspath(__file__))))
@@ -20,15 +21,6 @@ CMAKE, BUILD = sys.argv.pop(1), os.path.abspath(sys.argv.pop(1))
 # at its arrival [s], impulse of the positive phase [Pa s].
 PEAK, ARRIVAL, IMPULSE = 831e3, 0.557e-3, 159.
 FILES = "share/contrecoup/parameter_files/blast/verification"
-
-
-def run(*words, **options):
-    """What a command prints; fails as it does."""
-    done = subprocess.run(words, stdout=subprocess.PIPE, text=True,
-                          stderr=subprocess.STDOUT, check=False, **options)
-    if done.returncode != 0:
-        raise AssertionError(f"{' '.join(words)}:\n{done.stdout}")
-    return done.stdout
 
 
 def listing(folder):

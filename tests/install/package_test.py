@@ -8,22 +8,14 @@ tries packages for all processors in a Debian of their own."""
 import os
 import re
 import shutil
-import subprocess
 import sys
 import unittest
+
+from command import run
 
 CPACK, BUILD = sys.argv.pop(1), os.path.abspath(sys.argv.pop(1))
 NAMES = ("contrecoup", "libcontrecoup-dev")
 PROGRAMS = ("anatomy", "biomechanics", "blast", "head_impact", "scene", "study")
-
-
-def run(*words, **options):
-    """What a command prints; fails as it does."""
-    done = subprocess.run(words, stdout=subprocess.PIPE, text=True,
-                          stderr=subprocess.STDOUT, check=False, **options)
-    if done.returncode != 0:
-        raise AssertionError(f"{' '.join(words)}:\n{done.stdout}")
-    return done.stdout
 
 
 @unittest.skipUnless(shutil.which("dpkg-shlibdeps") or "CI" in os.environ,

@@ -45,11 +45,11 @@ namespace
   std::string owner_of(const std::string &path,
                        const std::vector<Assignment> &entries)
   {
-    if (path.rfind("Body/", 0) == 0)
+    if (begins_with(path, "Body/"))
       return path;
     for (const Assignment &entry : entries)
       for (const char *const own : {"Charge/", "Body", "Tissues/"})
-        if (path_of(entry) == path && entry.origin.rfind(own, 0) == 0 &&
+        if (path_of(entry) == path && begins_with(entry.origin, own) &&
             path != "First stage/Kind")
           return entry.origin;
     return path == "Mesh/Element size"   ? "Scene/Element size"

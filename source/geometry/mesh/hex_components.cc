@@ -37,17 +37,11 @@ namespace
 
 std::vector<std::array<std::uint32_t, 2>> neighbors_of(const HexMesh &mesh)
 {
-  constexpr unsigned int corners[6][4] = {{0, 4, 7, 3},
-                                          {1, 2, 6, 5},
-                                          {0, 1, 5, 4},
-                                          {3, 7, 6, 2},
-                                          {0, 3, 2, 1},
-                                          {4, 5, 6, 7}};
   // Sorted nodes of each face, then its cell.
   std::vector<std::array<std::uint32_t, 5>> faces;
   faces.reserve(6 * mesh.cells.size());
   for (std::uint32_t cell = 0; cell < mesh.cells.size(); ++cell)
-    for (const auto &corner : corners)
+    for (const auto &corner : hex_face_corners)
     {
       std::array<std::uint32_t, 5> face{};
       for (unsigned int v = 0; v < 4; ++v)
