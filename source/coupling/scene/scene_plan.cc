@@ -45,7 +45,7 @@ namespace
 
   std::string strain_of(const std::string &tissue)
   {
-    return "strain that 95 % of " + tissue + " do not exceed";
+    return "strain that 95 % of " + tissue + " does not exceed";
   }
 
   /// @param kinematics as the user wrote it; empty: that of the scene

@@ -34,7 +34,7 @@ BodyMotion measure_motion(const std::string &folder, double last);
 struct StrainedTissue
 {
   std::string name; ///< "soft_tissue"; empty: unknown
-  double strain;    ///< that 95 % of its volume do not exceed [-]
+  double strain;    ///< that 95 % of its volume does not exceed [-]
 };
 
 StrainedTissue most_strained_tissue(const std::string &folder);
