@@ -39,11 +39,13 @@ SceneLayout layout_of(const SceneParameters &scene)
 
 
 /// Writes what a blast finds at its probe: the tables' values times @p factor,
-/// and whether the end of the run cuts the positive phase.
+/// the duration times one of its own, and whether the end of the run cuts the
+/// positive phase.
 void write_blast(const std::string &folder,
                  const TableAnswer &tables,
                  const double factor,
-                 const bool is_cut = false)
+                 const bool is_cut = false,
+                 const double of_duration = 1.)
 {
   std::filesystem::create_directories(folder);
   const double peak = tables.in_the_open.overpressure;
@@ -54,7 +56,7 @@ void write_blast(const std::string &folder,
     << R"(}, "probe_1_impulse": {"value": )" << factor * tables.impulse
     << R"(}, "probe_1_arrival": {"value": )" << tables.arrival
     << R"(}, "probe_1_duration": {"value": )"
-    << (is_cut ? factor : 1.) * tables.duration
+    << (is_cut ? factor : of_duration) * tables.duration
     << (is_cut ? R"(}, "probe_1_cut_off": {"value": 1}}})" : "}}}");
   std::ofstream(folder + "/probe_injury.csv")
     << "measure,place,value,unit,definition\nlung_exposure,probe 1,"
@@ -189,6 +191,19 @@ TEST(TableComparison, LeavesToTheGroundWhatItMayAdd)
   EXPECT_NE(high.find("incident peak"), std::string::npos) << high;
   EXPECT_EQ(high.find("impulse"), std::string::npos) << high;
   EXPECT_EQ(warning_for(scene_of("tnt", 0.5), 1.4, 0.), "");
+  // A wave that has merged may be shorter; with a lower peak it has not merged.
+  const SceneParameters scene = scene_of("tnt", 0.5);
+  const SceneLayout layout = layout_of(scene);
+  const auto tables = table_answer(scene, layout, 70.);
+  for (const double peak : {0.9, 1.1})
+  {
+    const io::TemporaryFolder folder;
+    write_blast(folder.path() + "/blast", *tables, peak, false, 0.6);
+    const std::string warning = warning_of(
+      compare_with_tables(scene, layout, 70., folder.path()), scene.explosive);
+    EXPECT_EQ(warning.find("duration ") != std::string::npos, peak < 1.)
+      << warning;
+  }
 }
 
 
