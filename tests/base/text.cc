@@ -42,6 +42,19 @@ TEST(Text, NearestIsTheOneMeantOrNone)
             "; known are: End time, Largest step");
 }
 
+
+TEST(Text, NearestBeginsWithWhatWasTyped)
+{
+  const std::vector<std::string> names = {
+    "fast", "first look", "first look of all", "fine"};
+  EXPECT_EQ(nearest("first", names), "first look");
+  EXPECT_EQ(nearest("FIRST L", names), "first look");
+  EXPECT_EQ(nearest("fist", names), "fast");
+  // Two letters begin much.
+  EXPECT_EQ(nearest("fi", {"first look", "fit"}), "fit");
+  EXPECT_EQ(nearest("mass", {"Mass of all", "Mast", "Mass"}), "Mass");
+}
+
 TEST(Text, ExactNumbersComeBackBitByBit)
 {
   for (const double value : {0.1, 1. / 3., 1e-308, -1.7976931348623157e308})

@@ -111,16 +111,22 @@ std::string nearest(const std::string &name,
 {
   // Longer texts are no names, and their edit distance is expensive.
   constexpr std::size_t longest_name = 100;
+  // Fewer letters begin too many names.
+  constexpr std::size_t shortest_beginning = 3;
 
   std::string best;
   if (name.size() > longest_name)
     return best;
+  const bool may_begin = name.size() >= shortest_beginning;
+  bool is_beginning = false;
   std::size_t smallest = std::max<std::size_t>(2, name.size() / 2) + 1;
   for (const std::string &candidate : candidates)
   {
+    const bool begins = may_begin && begins_with(lower(candidate), lower(name));
     const std::size_t distance = edit_distance(name, candidate);
-    if (distance < smallest)
+    if (begins == is_beginning ? distance < smallest : begins)
     {
+      is_beginning = begins;
       smallest = distance;
       best = candidate;
     }

@@ -31,8 +31,9 @@ std::vector<std::string> wrap(const std::string &text, std::size_t width);
 /// adjacent letters between two words, ignoring case.
 std::size_t edit_distance(const std::string &a, const std::string &b);
 
-/// The candidate closest to @p name by edit_distance(); empty if none is close
-/// enough.
+/// The candidate that is meant by @p name: one that begins with it, ignoring
+/// case, if it has three letters at least; else one that is close enough, or
+/// empty. Of several, the closest one by edit_distance().
 std::string nearest(const std::string &name,
                     const std::vector<std::string> &candidates);
 
