@@ -91,7 +91,8 @@ TEST(TableComparison, WarnsOfDifferencesBeyondTheErrorsOfBoth)
   EXPECT_EQ(warning_for(tnt, 1.05, 1.), "");
   const std::string warning = warning_for(tnt, 0.6, 0.59);
   EXPECT_EQ(warning.find("WARNING: beside the body, run and tables of Kingery "
-                         "and Bulmash differ by more than their errors: "
+                         "and Bulmash differ by more than what is known of "
+                         "their errors: "
                          "incident peak "),
             0U)
     << warning;
@@ -118,7 +119,11 @@ TEST(TableComparison, SaysWhereTheEquivalenceIsAnEstimate)
                          "energies, an estimate, not measured)"),
             std::string::npos)
     << warning;
-  EXPECT_EQ(warning.find("numerical error"), std::string::npos) << warning;
+  // The error is unknown of each quantity; probabilities have none.
+  EXPECT_NE(warning.find(" kPa (numerical error unknown) against "),
+            std::string::npos)
+    << warning;
+  EXPECT_NE(warning.find("25 % against "), std::string::npos) << warning;
 }
 
 
@@ -150,6 +155,31 @@ TEST(TableComparison, HasErrorsOfAtLeastTwoPerCentAndThoseOfThePeak)
                           folder.path() + "/coarser_blast/probe_injury.csv");
   EXPECT_GT(errors().at("peak_overpressure"), 0.1);
   EXPECT_EQ(errors().at("lung_exposure"), errors().at("peak_overpressure"));
+}
+
+
+// As beside the products of an explosive: the error of the load is then at
+// least that of the peak, and no error is invented.
+TEST(TableComparison, DoesNotExceedErrorsThatAreUnknown)
+{
+  const SceneParameters tnt = scene_of("tnt", 3.);
+  const SceneLayout layout = layout_of(tnt);
+  const auto tables = table_answer(tnt, layout, 70.);
+  const io::TemporaryFolder folder;
+  const auto load = [&](const double fine, const double coarse) {
+    write_blast(folder.path() + "/blast", *tables, fine);
+    write_blast(folder.path() + "/coarser_blast", *tables, coarse);
+    std::filesystem::remove(folder.path() + "/coarser_blast/probe_injury.csv");
+    for (const ComparedQuantity &one :
+         compare_with_tables(tnt, layout, 70., folder.path()))
+      if (one.name == "lung_exposure")
+        return one;
+    return ComparedQuantity();
+  };
+  const ComparedQuantity within = load(0.8, 0.65), beyond = load(0.6, 0.59);
+  EXPECT_TRUE(std::isnan(within.run_error) && std::isnan(beyond.run_error));
+  EXPECT_FALSE(within.differs);
+  EXPECT_TRUE(beyond.differs);
 }
 
 

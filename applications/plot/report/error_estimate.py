@@ -97,6 +97,18 @@ def of_skin(scene, name):
             if all(values) else None)
 
 
+def why_unknown(scene, entries):
+    """Why the errors of measures are unknown, a clause."""
+    is_alone = scene.coarser is None or not scene.coarser.blast.exists
+    if scene.has_own_mesh() and (is_alone or all(
+            entry.name.startswith("injury_") for entry in entries)):
+        return "your own hexahedra have no coarser mesh"
+    if is_alone:
+        return "the scene has no coarser run"
+    return "the coarser run has no value of " + (
+        "it" if len(entries) == 1 else "them")
+
+
 def _rows_of_skin(scene):
     """Rows of section() for scenes that end with the loads."""
     for name, unit, title in (

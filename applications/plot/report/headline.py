@@ -38,7 +38,7 @@ class Lead:
     def __init__(self, scene, judged):
         self.verdicts = verdict.verdicts(scene, judged)
         self.sentence = _loads_alone(scene) if not self.verdicts and \
-            scene.asks_for_loads() else verdict.sentence(self.verdicts)
+            scene.asks_for_loads() else verdict.sentence(scene, self.verdicts)
         self.opening = _opening(scene)
         self.reservations = _certainty(scene, judged)
         self.warnings = scene.warnings()
@@ -84,8 +84,8 @@ class Lead:
                 "at that distance.", numbers=(1,), data=self.file)
         return page.table(
             ("beside the body, in the open", "this run", "tables"),
-            self.compared, caption + "±: errors of the numerics and of the "
-            "tables; what differs by more is marked, unless reflections may "
+            self.compared, caption + "±: errors of the numerics, where they are "
+            "known, and of the tables; what differs by more is marked, unless reflections may "
             f"explain it. {self.reflections}", numbers=(1, 2), data=self.file)
 
     def doubts(self):
@@ -284,7 +284,7 @@ def _tables(scene, judged):
                if any(abs(bias) >= LARGE_BIAS
                       for bias in _known_biases(scene).values()) else
                "Trust neither before a run with a finer Scene/Accuracy."))
-    differing, chances = [], []
+    differing, unsure, chances = [], [], []
     for row in _rows(scene):
         here, known = (files.as_number(row.get(key))
                        for key in ("run", "tables"))
@@ -300,12 +300,17 @@ def _tables(scene, judged):
             change = here / known - 1.
             differing.append(f"the {words} is {page.percent(abs(change))} "
                              + ("below" if change < 0. else "above"))
+            if files.as_number(row.get("run_error")) is None:
+                unsure.append(f"the {words}")
     if differing:
         parts.append(
             "Beside the body, " + page.joined(differing) + " the tables of "
-            "Kingery and Bulmash, by more than the error"
-            + (" of the tables, while that of the run is unknown"
-               if scene.coarser is None else "s of both")
+            "Kingery and Bulmash, by more than "
+            + ("the errors of both" if not unsure else
+               "the error of the tables, while that of the run is unknown"
+               if len(unsure) == len(differing) else
+               "is known of both errors (that of the run is unknown of "
+               + page.joined(unsure) + ")")
             + ("" if (scene.facts.get("tables") or {}).get("is_published", True)
                else " (the TNT equivalence is a ratio of energies, not "
                "measured)") + "; loads and verdicts carry "
@@ -321,11 +326,10 @@ def _verdicts(scene, judged):
     having = [entry for entry in judged if entry.has_verdict]
     known = [entry for entry in having if entry.is_certain() is not None]
     unknown = [entry for entry in having if entry.is_certain() is None]
+    why = error_estimate.why_unknown(scene, unknown)
     if not known:
-        return ["The numerical error of these verdicts is unknown: "
-                + ("your own hexahedra have no coarser mesh."
-                   if scene.has_own_mesh() else
-                   "the scene has no coarser run.")] if judged else []
+        return ["The numerical error of these verdicts is unknown: " + why
+                + "."] if judged else []
     open_ones = [entry for entry in known if not entry.is_certain()]
     return ["Numerical error could change "
             + (page.count_in_words(len(open_ones)) if open_ones else "none")
@@ -334,7 +338,7 @@ def _verdicts(scene, judged):
                if open_ones else "")
             + ("; it is unknown of "
                + page.joined(entry.short_title() for entry in unknown)
-               if unknown else "") + "."]
+               + f": {why}" if unknown else "") + "."]
 
 
 def _unused_thresholds(scene, judged):

@@ -338,7 +338,7 @@ def table(scene, judged):
     parts.append(page.paragraph(
         "Errors are relative, or bounds of what lies between 0 and 100\u00a0%, and "
         "cover the numerics alone. They are estimated from the coarser run of "
-        "this scene (see the section on accuracy) and unknown without that run. "
+        "this scene (see the section on accuracy) and unknown of what that run lacks. "
         "Thresholds are those commonly cited; they and the tissue properties "
         "are less certain than the numerics."
         + (" AIS: abbreviated injury scale, 1 (minor) to 6 (untreatable)."

@@ -3,7 +3,7 @@
 """The verdict of a report in plain words: whether the person survives, and what
 becomes of eardrums, lungs and brain, with the bounds of the numerics."""
 
-from plot.report import injury_table, page
+from plot.report import error_estimate, injury_table, page
 
 # Words up to a probability, for the event itself.
 LIFE = ((0.01, "survives"), (0.5, "may die of lung injury"),
@@ -39,11 +39,16 @@ def verdicts(scene, judged):
                                 _brain(judged)) if found]
 
 
-def sentence(found):
+def sentence(scene, found):
     """Verdicts as one sentence."""
     text = "; ".join(str(one) for one in found)
-    if any(one.entry is not None and one.entry.error is None for one in found):
-        text += "; numerical error unknown"
+    having = [one.entry for one in found if one.entry is not None]
+    unknown = [entry for entry in having if entry.error is None]
+    if unknown:
+        text += "; numerical error" + (
+            "" if len(unknown) == len(having) else " of " + page.joined(
+                entry.short_title() for entry in unknown)) \
+            + f" unknown: {error_estimate.why_unknown(scene, unknown)}"
     return text[:1].upper() + text[1:] + "." if text else (
         "The injury is unknown: the scene has neither gauges at chest and ears "
         "nor measures of injury.")
@@ -122,16 +127,18 @@ def _ears(scene, judged):
     worst = max(ears, key=lambda entry: entry.value)
     kind, tables = injury_table.severity(worst), _by_the_tables(scene, ears)
     words = [_word(EARS, entry, entry.value) for entry in ears]
+    sides = [entry.name[len("ear_rupture_"):].split()[0] for entry in ears]
     if len(ears) > 1 and len(set(words)) > 1:
-        sides = [entry.name[len("ear_rupture_"):].split()[0] for entry in ears]
         parts = [f"{side} eardrum{_singular(word)} ({entry.shown()}"
                  f"{_by_the_numerics(entry)}{tables})" for side, word, entry
                  in zip(sides, words, ears)]
         return Verdict("eardrums", ", ".join(parts), kind, "", worst)
-    figures = {entry.shown() + _by_the_numerics(entry) + tables
-               for entry in ears}
-    return Verdict("eardrums", "eardrums" + words[0], kind, " and ".join(
-        sorted(figures)), worst)
+    figures = [entry.shown() + _by_the_numerics(entry) for entry in ears]
+    told = figures[0] if len(set(figures)) == 1 else "; ".join(
+        f"{side} {figure}" for side, figure in zip(sides, figures))
+    return Verdict("eardrums", "eardrums" + words[0], kind,
+                   told + (tables if told == figures[0] else
+                           tables.replace(",", ";", 1)), worst)
 
 
 def _singular(word):
@@ -213,19 +220,24 @@ def _brain(judged):
     if not entries:
         return None
     above = [entry for entry in entries if entry.exceeded()]
-    words = [_reached(entry) + (f" ({UNSURE})" if entry.is_certain() is False
-                                else "") for entry in above]
-    unsure = [entry.short_title() for entry in entries
-              if not entry.exceeded() and entry.is_certain() is False]
-    return Verdict(
-        "brain", "brain: " + (", ".join(words) or "below all thresholds"),
-        "mid" if above else "good",
-        f"{UNSURE}: {page.joined(unsure)}" if unsure else "",
-        above[0] if above else entries[0])
+    unsure = [entry for entry in entries if entry.is_certain() is False]
+    if not above:
+        return Verdict("brain", "brain: below all thresholds", "good",
+                       f"{UNSURE}: " + page.joined(
+                           entry.short_title() for entry in unsure)
+                       if unsure else "", entries[0])
+    words = [_reached(entry) for entry in above if entry not in unsure]
+    if unsure:
+        words.append(page.joined(_reached(entry) for entry in unsure)
+                     + f" ({'each ' if len(unsure) > 1 else ''}{UNSURE})")
+    return Verdict("brain", "brain: " + ", ".join(words), "mid", "", above[0])
 
 
 def _reached(entry):
     """What a measure of the brain says, in words."""
+    if not entry.exceeded():
+        return f"{entry.short_title()} below its threshold" + (
+            "s" if len(entry.thresholds) > 1 else "")
     if entry.name == "injury_intracranial_pressure_lowest" \
             and not entry.is_own:
         return entry.meaning()

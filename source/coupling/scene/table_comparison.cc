@@ -130,6 +130,8 @@ namespace
     if (title.empty())
       return "";
     const bool is_load = one.name == "lung_exposure";
+    // Probabilities follow from the others and have no error of their own.
+    const bool has_error = is_load || one.unit != "-";
     const auto text = [&](const double value) {
       if (is_load)
         return brief(value, 3);
@@ -138,11 +140,11 @@ namespace
       return one.unit == "Pa" ? brief(1e-3 * value, 3) + " kPa"
                               : brief(value, 3) + " " + one.unit;
     };
-    const bool with_error = std::isfinite(one.run_error);
     return title + " " + text(one.run) +
-           (with_error
+           (!has_error ? ""
+            : std::isfinite(one.run_error)
               ? " (numerical error " + brief(100. * one.run_error, 2) + " %)"
-              : "") +
+              : " (numerical error unknown)") +
            " against " + text(one.tables);
   }
 } // namespace
@@ -177,16 +179,16 @@ std::vector<ComparedQuantity> compare_with_tables(const SceneParameters &scene,
     const double run = of(fine);
     if (!std::isfinite(run))
       return;
-    double run_error = error_of(run, of(coarse));
+    const double difference = error_of(run, of(coarse));
     // Errors of peak and duration can cancel in what follows from both.
-    if (name == "lung_exposure" && !list.empty())
-      run_error = std::max(run_error, list.front().run_error);
-    const double allowed =
-      error * tables + (std::isfinite(run_error) ? run_error * run : 0.);
+    const double least = name == "lung_exposure" && !list.empty()
+                           ? std::fmax(difference, list.front().run_error)
+                           : difference;
+    const double allowed = error * tables + std::fmax(least * run, 0.);
     list.push_back({name,
                     unit,
                     run,
-                    run_error,
+                    std::isfinite(difference) ? least : unknown,
                     tables,
                     error,
                     std::abs(run - tables) > allowed &&
@@ -218,24 +220,15 @@ std::string warning_of(const std::vector<ComparedQuantity> &compared,
                        const Explosive &explosive)
 {
   std::vector<std::string> parts;
-  bool has_errors = true;
   for (const ComparedQuantity &one : compared)
-  {
-    // Probabilities follow from the others and have no error of their own.
-    if (one.name == "peak_overpressure")
-      has_errors = std::isfinite(one.run_error);
     if (one.differs && !words_of(one).empty())
       parts.push_back(words_of(one));
-  }
   if (parts.empty())
     return "";
   const std::string equivalence = equivalence_in_words(explosive);
   return "WARNING: beside the body, run and tables of Kingery and Bulmash" +
          (equivalence.empty() ? "" : " (" + equivalence + ")") +
-         " differ by more than " +
-         (has_errors ? "their errors: "
-                     : "the error of the tables, while that of the run is "
-                       "unknown: ") +
+         " differ by more than what is known of their errors: " +
          join(parts, "; ");
 }
 } // namespace contrecoup::coupling

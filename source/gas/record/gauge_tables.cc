@@ -242,6 +242,21 @@ std::array<double, 5> air_injury_values(const AirBlast &air,
 }
 
 
+bool lungs_are_unknown(const AirBlast &air, const double body_mass)
+{
+  const auto injuries = air_injury_values(air, body_mass);
+  return std::isnan(injuries[0]) && !std::isnan(injuries[2]);
+}
+
+
+std::string words_of_unknown_lungs(const std::string &places)
+{
+  return "injuries of lungs are unknown at " + places +
+         " beside the products of the explosive, where they depend on which "
+         "phases of the load count";
+}
+
+
 bool is_cut_off(const BlastMeasures &blast, const double time)
 {
   const double round_off = 1e-9 * time;

@@ -73,18 +73,6 @@ namespace
       communicator,
       target);
   }
-
-  /// Whether lungs are not judged after the blast, though the ears are.
-  bool lungs_are_open(const BlastRecord<double> &record,
-                      const ExposureRecord &exposure,
-                      const double ambient,
-                      const double body_mass)
-  {
-    const auto injuries = air_injury_values(
-      {"", record.measures(record.end), ambient, exposure, record.running},
-      body_mass);
-    return std::isnan(injuries[0]) && !std::isnan(injuries[2]);
-  }
 } // namespace
 
 
@@ -278,19 +266,19 @@ void ProbeRasters<dim>::finish()
     const bool is_over =
       probes_.records()[i].end > 0. && !probes_.exposures()[i].goes_on();
     n_going_on += is_over ? 0 : 1;
-    n_between += is_over && lungs_are_open(probes_.records()[i],
-                                           probes_.exposures()[i],
-                                           probes_.ambient()[i],
-                                           body_mass_)
+    const BlastRecord<double> &record = probes_.records()[i];
+    n_between += is_over && lungs_are_unknown({"",
+                                               record.measures(record.end),
+                                               probes_.ambient()[i],
+                                               probes_.exposures()[i],
+                                               record.running},
+                                              body_mass_)
                    ? 1
                    : 0;
   }
   if (n_between > 0)
-    log_line(
-      "Probes/Lines and Gauge planes: injuries of lungs are unknown at " +
-      std::to_string(n_between) +
-      " probes beside the products of the explosive, where they depend "
-      "on which phases of the load count");
+    log_line("Probes/Lines and Gauge planes: " +
+             words_of_unknown_lungs(std::to_string(n_between) + " probes"));
   if (n_going_on > 0)
     log_line("WARNING: Probes/Lines and Gauge planes: the blast has reached " +
              std::to_string(n_reached) + " of " + std::to_string(n_in_gas) +

@@ -260,7 +260,7 @@ void ProbeSet<dim>::finish()
       dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
     return;
   std::vector<AirBlast> air;
-  std::vector<std::string> cut;
+  std::vector<std::string> cut, unknown;
   const auto found = blasts();
   for (std::size_t i = 0; i < found.size(); ++i)
   {
@@ -271,9 +271,14 @@ void ProbeSet<dim>::finish()
                    probes_.records()[i].running});
     if (is_cut_off(found[i], last_time_))
       cut.push_back(air.back().place);
+    if (is_habitable(air.back().ambient) &&
+        lungs_are_unknown(air.back(), body_mass_))
+      unknown.push_back(air.back().place);
   }
   if (!cut.empty())
     log_line(warn_of_cut_off(cut, found.size(), "probes"));
+  if (!unknown.empty())
+    log_line("WARNING: " + words_of_unknown_lungs(join(unknown, ", ")));
   const std::string table = air_injury_table(
     air, body_mass_, probes_.exposure() == Exposure::load_and_chest);
   if (!table.empty())

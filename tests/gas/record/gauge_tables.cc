@@ -238,6 +238,7 @@ TEST(GaugeTables, KnowLungsBesideProductsWhereTheirDurationDecidesNothing)
     const auto values = air_injury_values(air, 70.);
     EXPECT_EQ(std::isnan(values[0]), std::isnan(values[1]));
     EXPECT_FALSE(std::isnan(values[2]));
+    EXPECT_EQ(lungs_are_unknown(air, 70.), std::isnan(values[0]));
     return values[1];
   };
   // The duration is 0.8 or 10 ms: nobody dies, or everybody.

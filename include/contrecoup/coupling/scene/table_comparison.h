@@ -22,8 +22,9 @@ struct ComparedQuantity
   double tables;
   /// Error of the tables with this TNT equivalence [-].
   double tables_error;
-  /// Whether both differ by more than their errors, in a direction that
-  /// reflections by the ground cannot explain.
+  /// Whether both differ by more than what is known of their errors, as that of
+  /// the peak for the load, in a direction that reflections by the ground
+  /// cannot explain.
   bool differs;
 };
 
@@ -41,8 +42,7 @@ std::vector<ComparedQuantity> compare_with_tables(const SceneParameters &scene,
                                                   double body_mass,
                                                   const std::string &folder);
 
-/// A warning that names what differs by more than its errors; empty if nothing
-/// does.
+/// A warning that names what differs; empty if nothing does.
 std::string warning_of(const std::vector<ComparedQuantity> &compared,
                        const Explosive &explosive);
 } // namespace contrecoup::coupling

@@ -91,6 +91,14 @@ extern const std::vector<std::pair<std::string, std::string>>
 std::array<double, 5> air_injury_values(const AirBlast &air,
                                         const double body_mass);
 
+/// Whether lungs are not judged at a place where the ears are: beside the
+/// products of an explosive, see ExposureRecord::durations().
+bool lungs_are_unknown(const AirBlast &air, const double body_mass);
+
+/// Says that and why.
+/// @param places such as "probe 1" or "17 probes"
+std::string words_of_unknown_lungs(const std::string &places);
+
 /**
  * CSV table, as gauge_injury_table(), of air_injury_values() at each place.
  * Places are left out that no blast has reached, or whose ambient pressure is
