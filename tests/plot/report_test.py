@@ -554,13 +554,17 @@ class ReportTest(unittest.TestCase):
         names = ("injury_intracranial_pressure_lowest", "injury_hic15")
         for values, errors, words in (
                 ((-2e5, 500.), (0.84, 0.1),
-                 "fluid may cavitate (uncertain by the numerics), HIC15 above "
-                 "the limit of NATO AEP-55"),
+                 "HIC15 above the limit of NATO AEP-55, fluid may cavitate "
+                 "(uncertain by the numerics)"),
+                ((-2e5, 260.), (0.84, 0.2), "fluid may cavitate and HIC15 above "
+                 "the limit of NATO AEP-55 (each uncertain by the numerics)"),
                 ((-2e5, 260.), (0.1, 0.2),
                  "fluid may cavitate, HIC15 above the limit of NATO AEP-55 "
                  "(uncertain by the numerics)"),
-                ((-2e5, 240.), (0.1, 0.2), "fluid may cavitate (uncertain by "
-                 "the numerics: HIC15)"),
+                ((-2e5, 240.), (0.1, 0.2), "fluid may cavitate, HIC15 below its "
+                 "thresholds (uncertain by the numerics)"),
+                ((-2e5, 240.), (0.84, 0.2), "fluid may cavitate and HIC15 below "
+                 "its thresholds (each uncertain by the numerics)"),
                 ((-1., 240.), (0.1, 0.2), "below all thresholds (uncertain by "
                  "the numerics: HIC15)"),
                 ((-1., 1.), (None, None), "below all thresholds")):
@@ -568,6 +572,53 @@ class ReportTest(unittest.TestCase):
                 name, value, "", injury_thresholds.KNOWN[name], error, "")
                       for name, value, error in zip(names, values, errors)]
             self.assertEqual(str(verdict._brain(judged)), "brain: " + words)
+
+    def test_error_that_is_unknown(self):
+        """The answer says of which measures, and why."""
+        known = injury_thresholds.Known("probability of death", [(0.5, "x")],
+                                        "", "")
+
+        def told(coarser, body, *errors):
+            scene = types.SimpleNamespace(
+                coarser=coarser, has_own_mesh=lambda: body == "mesh")
+            names = ("lung_lethality", "injury_hic15")
+            found = [verdict.Verdict("", "w", "mid", "", injury_table.Judged(
+                name, 0.1, "-", known._replace(title=f"title of {name}"), error,
+                "")) for name, error in zip(names, errors)]
+            return verdict.sentence(scene, found)
+        run = types.SimpleNamespace(blast=types.SimpleNamespace(exists=True))
+        for case, words in (
+                ((run, "phantom", 0.1, 0.1), "W; w."),
+                ((run, "phantom", None, 0.1), "W; w; numerical error of title of "
+                 "lung_lethality unknown: the coarser run has no value of it."),
+                ((run, "phantom", None, None), "W; w; numerical error unknown: "
+                 "the coarser run has no value of them."),
+                ((run, "mesh", 0.1, None), "W; w; numerical error of title of "
+                 "injury_hic15 unknown: your own hexahedra have no coarser "
+                 "mesh."),
+                ((None, "phantom", None, None), "W; w; numerical error unknown: "
+                 "the scene has no coarser run.")):
+            self.assertEqual(told(*case), words)
+
+    def test_differences_beyond_errors_that_are_unknown(self):
+        """Nothing exceeds the errors of both where that of the run is unknown."""
+        def row(name, error):
+            return {"name": name, "unit": "-", "run": 0.2, "run_error": error,
+                    "tables": 0.4, "tables_error": 0.2, "differs": True}
+
+        def told(*rows):
+            scene = types.SimpleNamespace(
+                list_of=lambda _: rows, facts={}, coarser=object(),
+                table_answer=lambda _: (None, None), loads=lambda: None,
+                fact=lambda _: None)
+            return headline._tables(scene, [])[0].replace("\xa0", " ")
+        peak, load = row("peak_overpressure", 0.1), row("lung_exposure", None)
+        self.assertIn("by more than the errors of both;", told(peak))
+        self.assertIn("by more than the error of the tables, while that of the "
+                      "run is unknown;", told(load))
+        self.assertIn("by more than is known of both errors (that of the run is "
+                      "unknown of the free-field load over the 50 % lethality "
+                      "load);", told(peak, load))
 
     def test_probabilities_are_bounded(self):
         """An error of the measure is carried through the curve, and may be as
@@ -689,6 +740,35 @@ class ReportTest(unittest.TestCase):
                 of=0.)])
             self.assertIn(words, str(found[0]))
 
+    def test_two_ears_with_one_word(self):
+        """Their probabilities have their sides, and the tables come once."""
+        known = injury_thresholds.KNOWN["ear_rupture"]
+        scene = types.SimpleNamespace(
+            loads=lambda: None, fact=lambda name: None,
+            table_answer=lambda name: (0.64, 0.98))
+
+        def told(*values):
+            return str(verdict._ears(scene, [injury_table.Judged(
+                f"ear_rupture_{side} ear", value, "-", known, None, "",
+                curve="given", of=0.) for side, value in
+                    zip(("left", "right"), values)])).replace("\u00a0", " ")
+        self.assertEqual(told(0.17, 0.24), "eardrums may rupture (left 17 %; "
+                         "right 24 %; by the tables 64 to 98 %)")
+        self.assertEqual(told(0.2, 0.2), "eardrums may rupture (20 %, by the "
+                         "tables 64 to 98 %)")
+
+    def test_wave_at_no_named_place(self):
+        """The wave on the skin is told, and that it does not come."""
+        for arrivals, words in (
+                ([2e-3, 1e-3, 0.], "reaches the skin at 1.00 ms; no place"),
+                ([0., 0.], "does not reach the skin"), (None, "does not reach")):
+            loads = None if arrivals is None else types.SimpleNamespace(
+                measure=lambda _, of=arrivals: np.array(of),
+                arrived=lambda of=arrivals: np.array(of) > 0.)
+            self.assertIn(words, scene_sections._unnamed(
+                types.SimpleNamespace(loads=lambda of=loads: of)).replace(
+                    "\u00a0", " "))
+
     def test_own_thresholds(self):
         """They change verdict and words, and count as the user's own, also
         where published ones give no verdict."""
@@ -788,11 +868,13 @@ class ReportTest(unittest.TestCase):
         self.assertLess(max(map(len, lines)), 79)
 
     def test_second_peak(self):
-        """What is below the ambient pressure is no peak."""
+        """What is below the ambient pressure, or where the run ends, is no
+        peak."""
         time = np.linspace(0., 10., 1001)
-        for level, found in ((-0.5, False), (0.5, True)):
+        for level, end, found in ((-0.5, -1., False), (0.5, -1., True),
+                                  (-0.5, 0.5, False)):
             values = np.interp(time, [0., 1., 1.1, 3., 5., 6., 10.],
-                               [0., 0., 1., -1., -1., level, -1.])
+                               [0., 0., 1., -1., -1., level, end])
             self.assertEqual(signals.find_peaks(time, values)[1] is not None,
                              found)
 
@@ -983,12 +1065,15 @@ class ReportTest(unittest.TestCase):
         """Each verdict counts, also one whose error is unknown beside others."""
         def entry(name, certain):
             return types.SimpleNamespace(
-                has_verdict=True, is_certain=lambda: certain,
+                name=name, has_verdict=True, is_certain=lambda: certain,
                 short_title=lambda: name)
-        words = headline._verdicts(None, [
+        run = types.SimpleNamespace(blast=types.SimpleNamespace(exists=True))
+        scene = types.SimpleNamespace(coarser=run, has_own_mesh=lambda: False)
+        words = headline._verdicts(scene, [
             entry("ear", True), entry("lung", False), entry("chest", None)])
         self.assertEqual(words, ["Numerical error could change one of two "
-                                 "verdicts: lung; it is unknown of chest."])
+                                 "verdicts: lung; it is unknown of chest: the "
+                                 "coarser run has no value of it."])
 
     def test_lungs_by_the_worse_measure(self):
         """A load above its threshold counts where the chest wall is slow; that

@@ -108,8 +108,8 @@ def low_pass(time, values, bandwidth):
 
 def find_peaks(time, over):
     """Indices of the first peak and of the second one: the top of the largest
-    rise after the first peak, if that is a tenth of the peak at least, and
-    above the ambient pressure."""
+    rise after the first peak, if that is a tenth of the peak at least, above
+    the ambient pressure, and not the end, where the pressure may rise on."""
     if np.max(over) <= 0.:
         return None, None
     # The first peak ends where a fifth of it is lost again.
@@ -122,7 +122,7 @@ def find_peaks(time, over):
     later = over[first:]
     rise = later - np.minimum.accumulate(later)
     second = first + int(np.argmax(rise))
-    if np.max(rise) < 0.1 * over[first] or second == first \
+    if np.max(rise) < 0.1 * over[first] or second in (first, len(over) - 1) \
             or over[second] <= 0.:
         return first, None
     return first, second

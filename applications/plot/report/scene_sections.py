@@ -365,12 +365,12 @@ def _timeline_chart(scene, found):
     """Picture of the events on skin and in tissue, or why there is none."""
     lanes = {event.lane for event in found}
     if lanes == {"air"}:
-        return page.paragraph("The wave arrives at no named place on the skin or "
-                              "in the tissue.", kind="note")
+        return page.paragraph(_unnamed(scene), kind="note")
     caption = "Events since the detonation. "
     if "skin" in lanes:
         caption += ("Bars: positive phases on the skin; triangles: second "
-                    "front, reflected by the ground or by the body. ")
+                    "front, reflected by the ground or the body, or sent by the "
+                    "charge itself. ")
     if "tissue" in lanes:
         caption += ("Lines: from the arrival in the tissue to the largest "
                     "absolute pressure within 2.5 ms. ")
@@ -389,6 +389,16 @@ def _timeline_chart(scene, found):
                     event.what for i, event in enumerate(
                         (event for event in found if event.lane == "air"),
                         -1)) + ".", "svg")
+
+
+def _unnamed(scene):
+    """What is known of a wave that arrives at no named place."""
+    known = scene.loads()
+    if known is None or not known.arrived().any():
+        return "The wave does not reach the skin before the end of the run."
+    first = float(known.measure("arrival")[known.arrived()].min())
+    return (f"The wave reaches the skin at {page.milliseconds(first)}; no place "
+            "on the skin or in the tissue is named.")
 
 
 def _rises(scene):
