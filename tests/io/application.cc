@@ -201,6 +201,49 @@ TEST(Application, StopAndResumeEqualsStraightThrough)
   expect_same_results(straight, parts);
 }
 
+TEST(Application, SummaryIsOfAllStarts)
+{
+  const std::string folder = local("starts");
+  remove(folder);
+  run_scene(folder,
+            {"--set",
+             "Time/Steps in this run=17",
+             "--set",
+             "Mishap/Kind=warning",
+             "--set",
+             "Mishap/Step=9"});
+  const Json first = summary(folder);
+  EXPECT_TRUE(first["interruptions"].empty());
+  run_scene(folder, {"--resume", "--set", "Time/Steps in this run=11"});
+  const Json before =
+    Json::parse(content(folder + "/checkpoint/0002/run.json"))["starts"];
+  run_scene(folder, {"--resume"});
+  const Json json = summary(folder);
+  const Json &stops = json["interruptions"];
+  ASSERT_EQ(stops.size(), 2U);
+  EXPECT_EQ(stops[0], (Json{{"step", 17}, {"time", first["time"]}}));
+  EXPECT_EQ(stops[1]["step"], 28);
+  EXPECT_GT(stops[1]["time"], first["time"]);
+  EXPECT_LT(stops[1]["time"], json["time"]);
+  EXPECT_EQ(json["resumed_from_step"], 28);
+  const Json &weight = json["assumptions"]["weight"];
+  EXPECT_EQ(weight["estimate"], 1.);
+  EXPECT_NE(weight["measured"], 1.);
+  if (is_first_rank())
+    EXPECT_EQ(json["warnings"], Json{"the spring creaks"});
+  EXPECT_GE(json["wall_seconds"],
+            before["wall_seconds"].get<double>() +
+              json["performance"]["wall_seconds"].get<double>());
+  EXPECT_GE(json["performance"]["core_seconds"], before["core_seconds"]);
+  EXPECT_GE(json["performance"]["peak_memory_bytes"], before["peak_memory"]);
+  // A later end is another run for the plan.
+  remove(folder);
+  const std::string keep = "Output/Checkpoint at the end=true";
+  run_scene(folder, {"--set", "Time/End time=1.5", "--set", keep});
+  run_scene(folder, {"--resume"});
+  EXPECT_NE(summary(folder)["assumptions"]["weight"]["estimate"], 1.);
+}
+
 TEST(Application, WallTimeStopsARun)
 {
   const std::string folder = local("short_of_time");

@@ -5,6 +5,7 @@
 
 #include <contrecoup/base/parameters/parameters.h>
 #include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/log.h>
 #include <contrecoup/io/file/checked_file.h>
 #include <contrecoup/io/output/field_output.h>
 
@@ -64,7 +65,8 @@ namespace io
                        "signal",
                        "not a number",
                        "no progress",
-                       "deal.II"},
+                       "deal.II",
+                       "warning"},
                       "What goes wrong.");
     declare_integer(prm,
                     "Step",
@@ -147,6 +149,8 @@ namespace io
       AssertThrow(false, dealii::ExcMessage("an assertion"));
     if (happens("signal"))
       std::raise(SIGTERM);
+    if (happens("warning"))
+      log_line("WARNING: the spring creaks");
     if (happens("not a number"))
       position_ = std::nan("");
     if (happens("no progress"))
@@ -222,6 +226,16 @@ namespace io
   std::vector<NamedValue> Oscillator::checks()
   {
     return {{"largest_angle", "-", std::nan("")}};
+  }
+
+  std::vector<Assumption> Oscillator::plan()
+  {
+    return {{"weight", "left out", "position of the mass", "m", position_}};
+  }
+
+  std::vector<Assumption> Oscillator::audit()
+  {
+    return plan();
   }
 
   std::pair<std::uint64_t, std::uint64_t> Oscillator::size() const

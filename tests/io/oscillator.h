@@ -38,6 +38,8 @@ namespace io
                                         unsigned int index) override;
     std::vector<NamedValue> errors() override;
     std::vector<NamedValue> checks() override;
+    std::vector<Assumption> plan() override;
+    std::vector<Assumption> audit() override;
     std::pair<std::uint64_t, std::uint64_t> size() const override;
 
   private:

@@ -57,6 +57,7 @@ SUMMARY = {
     "checks": {"*": _VALUE}, "assumptions": {"*": _ASSUMPTION},
     "organs": [{"name": WORDS, "volume": NUMBER, "reference_volume": NUMBER,
                 "source": WORDS}],
+    "interruptions": [{"step": NUMBER, "time": NUMBER}],
     "warnings": [WORDS]}
 
 

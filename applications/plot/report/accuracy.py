@@ -232,12 +232,13 @@ def cost_table(rows):
 def cost_row(name, told, stage):
     """What a stage took."""
     summary = stage.summary if stage else {}
-    performance = summary.get("performance") or {}
+    spent = (summary.get("performance") or {}) | {
+        "wall_seconds": summary.get("wall_seconds")}
 
     def value(key, other):
         known = files.as_number(told.get(key))
         return known if known is not None \
-            else files.as_number(performance.get(other))
+            else files.as_number(spent.get(other))
 
     disk = files.as_number(told.get("disk"))
     if disk is None and stage and stage.exists:
@@ -247,11 +248,22 @@ def cost_row(name, told, stage):
     sizes = [f"{page.count(summary[key])} {word}" for key, word in
              (("cells", "cells"), ("unknowns", "unknowns"),
               ("steps", "steps")) if summary.get(key) is not None]
-    return (name, str(told.get("status") or summary.get("status") or "–"),
+    status = str(told.get("status") or summary.get("status") or "–")
+    return (name, status + _interruptions(summary),
             _duration(value("wall_seconds", "wall_seconds")),
             _duration(value("core_seconds", "core_seconds")),
             _bytes(value("peak_memory", "peak_memory_bytes")), _bytes(disk),
             ", ".join(sizes))
+
+
+def _interruptions(summary):
+    """Where the starts after the first one went on, after a status."""
+    places = [f"step {page.count(one['step'])} "
+              f"({page.quantity(one['time'], 's')})"
+              for one in summary.get("interruptions") or []
+              if {"step", "time"} <= one.keys()]
+    return f", interrupted: went on from {page.joined(places)}" \
+        if places else ""
 
 
 def _duration(seconds):

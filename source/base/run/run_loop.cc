@@ -66,7 +66,7 @@ RunStatus RunLoop::run(RunState &state)
 RunStatus RunLoop::loop(RunState &state)
 {
   state.time = simulation_.time();
-  state.largest_cells = simulation_.size().first;
+  state.largest_cells = std::max(state.largest_cells, simulation_.size().first);
   control_.set_ticks(state);
   first_step_ = state.step;
   begin_ = Clock::now();

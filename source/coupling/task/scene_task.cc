@@ -162,9 +162,11 @@ void SceneTask::take_summary(const double wall_seconds)
   const io::Json performance = json.value("performance", io::Json::object());
   const io::Json status = json.value("status", io::Json());
   record_.status = status.is_string() ? status.get<std::string>() : "failed";
-  record_.wall_seconds += wall_seconds;
+  // Of all starts; this one began before its summary counts.
+  record_.wall_seconds =
+    std::max(wall_seconds, number_or_zero(json, "wall_seconds"));
   const double cores = number_or_zero(performance, "core_seconds");
-  record_.core_seconds += cores > 0. ? cores : wall_seconds;
+  record_.core_seconds = cores > 0. ? cores : wall_seconds;
   record_.peak_memory = std::max(
     record_.peak_memory, number_or_zero(performance, "peak_memory_bytes"));
   record_.disk = size_of_folder(folder);

@@ -259,7 +259,8 @@ StepReport GasCore<dim>::advance(const double largest_step)
     const double cell = smallest_subcell()[0];
     require_possible_speed(rates.all * cell / dim, cell, time_);
   }
-  const double n_before = quiet_leaves_->n_possible();
+  const double computed_before = quiet_leaves_->n_computed(),
+               possible_before = quiet_leaves_->n_possible();
   const auto result =
     stepper_->advance(field_, time_, std::min(stable, largest_step));
   if (result.failed)
@@ -269,21 +270,23 @@ StepReport GasCore<dim>::advance(const double largest_step)
   last_step_ = result.step;
   wall_force_ = result.wall_force;
   n_bounded_steps_ += result.bound_velocity_slopes ? 1. : 0.;
-  count_work(quiet_leaves_->n_possible() - n_before, result.step / stable);
+  std::vector<double> made{quiet_leaves_->n_computed() - computed_before,
+                           quiet_leaves_->n_possible() - possible_before};
+  count_work(made[1], result.step / stable);
   adaptation_->add_step(rates.front_rate / rates.all);
   update_burn();
   if (afterburn_.release(
         time_, result.step, mesh_, scene_.points, scene_.material, field_))
     stepper_->analyse(field_);
 
-  const double n_computed = dealii::Utilities::MPI::sum(
-    quiet_leaves_->n_computed(), mesh_.communicator());
+  dealii::Utilities::MPI::sum(made, mesh_.communicator(), made);
   StepReport report;
   report.step_size = result.step;
   report.retries = result.retries;
-  report.updates = (n_computed - n_computed_) * scene_.layout.n_points *
-                   scene_.layout.n_components;
-  n_computed_ = n_computed;
+  report.updates =
+    made[0] * scene_.layout.n_points * scene_.layout.n_components;
+  n_computed_ += made[0];
+  n_possible_ += made[1];
   return report;
 }
 
@@ -354,6 +357,9 @@ void GasCore<dim>::save(std::ostream &stream) const
   write_number(stream, time_);
   write_number(stream, n_steps_);
   write_number(stream, has_burned_);
+  write_number(stream, n_bounded_steps_);
+  write_number(stream, n_computed_);
+  write_number(stream, n_possible_);
   adaptation_->save(stream);
   afterburn_.save(stream);
 }
@@ -365,6 +371,9 @@ void GasCore<dim>::load(std::istream &stream)
   read_number(stream, time_);
   read_number(stream, n_steps_);
   read_number(stream, has_burned_);
+  read_number(stream, n_bounded_steps_);
+  read_number(stream, n_computed_);
+  read_number(stream, n_possible_);
   adaptation_->load(stream);
   afterburn_.load(stream);
 }
@@ -419,9 +428,7 @@ std::vector<NamedValue> GasCore<dim>::totals() const
 template <int dim>
 double GasCore<dim>::skipped_updates() const
 {
-  const double n_possible = dealii::Utilities::MPI::sum(
-    quiet_leaves_->n_possible(), mesh_.communicator());
-  return n_possible > 0. ? 1. - n_computed_ / n_possible : 0.;
+  return n_possible_ > 0. ? 1. - n_computed_ / n_possible_ : 0.;
 }
 
 

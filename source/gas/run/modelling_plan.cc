@@ -319,6 +319,8 @@ void ModellingPlan<dim>::save(std::ostream &stream) const
 {
   stream.write(reinterpret_cast<const char *>(&energy), sizeof(energy));
   stream.write(reinterpret_cast<const char *>(&centre), sizeof(centre));
+  stream.write(reinterpret_cast<const char *>(&non_ideal_fraction),
+               sizeof(non_ideal_fraction));
 }
 
 
@@ -327,6 +329,8 @@ void ModellingPlan<dim>::load(std::istream &stream)
 {
   stream.read(reinterpret_cast<char *>(&energy), sizeof(energy));
   stream.read(reinterpret_cast<char *>(&centre), sizeof(centre));
+  stream.read(reinterpret_cast<char *>(&non_ideal_fraction),
+              sizeof(non_ideal_fraction));
 }
 
 

@@ -131,8 +131,8 @@ RunPlan<dim>::plan(const std::vector<dealii::Point<dim>> &probes)
   plan_.end_time = scene.end_time;
   plan_.skips_quiet_leaves = core_.skips_quiet_leaves();
   plan_.smallest_subcell = finest_edge();
-  if (const double fraction = non_ideal_fraction(); !std::isnan(fraction))
-    plan_.non_ideal_fraction = fraction;
+  if (std::isnan(plan_.non_ideal_fraction))
+    plan_.non_ideal_fraction = non_ideal_fraction();
   find_blast();
   return plan_.plan();
 }

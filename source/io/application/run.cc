@@ -5,7 +5,6 @@
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/log.h>
 #include <contrecoup/base/system/memory.h>
-#include <contrecoup/base/system/processor_time.h>
 #include <contrecoup/base/system/signals.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/base/system/timers.h>
@@ -76,9 +75,6 @@ namespace io
               parameter_values(prm),
               description.files ? description.files(prm) : FileNames(),
               collective)
-    , begin_(std::chrono::steady_clock::now())
-    , begin_processor_(processor_seconds())
-    , loop_begin_(begin_)
   {}
 
   CostEstimate Run::estimate()
@@ -180,7 +176,6 @@ namespace io
                       ExitCode::bad_input);
       state_ = folder_.resume();
       updates_before_ = state_.updates;
-      resumed_from_ = state_.step;
       show_line("resumed from " + checkpoint + ", step " +
                 std::to_string(state_.step) + ", time " +
                 brief(state_.time, 6) + " s");
@@ -195,6 +190,7 @@ namespace io
               std::to_string(size.second) + " unknowns; output in " +
               folder_.path());
     collective_.run([&]() { plan_ = simulation_.plan(); });
+    folder_.keep_estimates(plan_);
     for (const std::string &line : plan_lines(plan_))
       log_line(line);
     warn();
@@ -266,14 +262,9 @@ namespace io
     summary.status = status;
     summary.message = message;
     summary.state = state_;
-    summary.resumed_from = resumed_from_;
-    summary.wall_seconds = seconds_since(begin_);
     summary.loop_seconds = seconds_since(loop_begin_);
-    summary.core_seconds =
-      dealii::Utilities::MPI::sum(processor_seconds() - begin_processor_, all);
     summary.updates = state_.updates - updates_before_;
     summary.ranks = dealii::Utilities::MPI::n_mpi_processes(all);
-    summary.peak_memory = peak_memory(all);
     summary.first_values = folder_.first_values();
     summary.last_values = folder_.last_values();
     summary.timers = Timers::instance().largest(all);
@@ -282,16 +273,17 @@ namespace io
       collective_.run([&]() { describe(simulation_, summary); });
     else
       std::tie(summary.cells, summary.unknowns) = simulation_.size();
-    log_line(Timers::instance().table(all, summary.wall_seconds));
+    summary.starts = folder_.starts();
+    log_line(Timers::instance().table(all, seconds_since(begin_)));
     show_line(status + " at step " + std::to_string(state_.step) + ", time " +
               brief(state_.time, 6) + " s, after " +
-              duration(summary.wall_seconds) +
+              duration(summary.starts.wall_seconds) +
               (message.empty() ? "" : ": " + message));
     for (const NamedValue &error : summary.errors)
       show_line("  " + error.name + " = " + brief(error.value, 6));
     for (const std::string &line : audit_lines(plan_, summary.audit))
       log_line(line);
-    summary.warnings = Log::instance().warnings();
+    summary.starts = folder_.starts(); // with the warnings of the audit
     folder_.write_text("summary.json", to_text(summary));
     show_line("results in " + folder_.path());
     collective_.run([]() { Log::instance().check(); });

@@ -4,6 +4,8 @@
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/gather.h>
 #include <contrecoup/base/system/log.h>
+#include <contrecoup/base/system/memory.h>
+#include <contrecoup/base/system/processor_time.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/io/file/checked_file.h>
 #include <contrecoup/io/output/output_folder.h>
@@ -69,6 +71,8 @@ namespace io
     , history_(path + "/history.csv")
     , probes_(path + "/probes.csv")
     , checkpoints_(path + "/checkpoint", collective)
+    , begin_(std::chrono::steady_clock::now())
+    , begin_processor_(processor_seconds())
   {
     run_.application = application;
     run_.parameters = parameters;
@@ -143,7 +147,39 @@ namespace io
     const auto parameters = run_.parameters;
     run_ = earlier;
     run_.parameters = parameters;
+    run_.starts.interruptions.emplace_back(run_.state.step, run_.state.time);
+    const std::string end = "Time/End time";
+    const auto before = earlier.parameters.find(end),
+               now = parameters.find(end);
+    if (before == earlier.parameters.end() || now == parameters.end() ||
+        before->second != now->second)
+      run_.starts.estimates.clear();
     return found->folder;
+  }
+
+  void OutputFolder::keep_estimates(std::vector<Assumption> &plan)
+  {
+    for (Assumption &item : plan)
+      item.value =
+        run_.starts.estimates.emplace(item.name, item.value).first->second;
+  }
+
+  RunStarts OutputFolder::starts() const
+  {
+    const MPI_Comm all = collective_.communicator();
+    RunStarts result = run_.starts;
+    result.wall_seconds +=
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_)
+        .count();
+    result.core_seconds +=
+      dealii::Utilities::MPI::sum(processor_seconds() - begin_processor_, all);
+    result.peak_memory = std::max(result.peak_memory, peak_memory(all));
+    auto &warnings = result.warnings;
+    for (const std::string &warning : Log::instance().warnings())
+      if (std::find(warnings.begin(), warnings.end(), warning) ==
+          warnings.end())
+        warnings.push_back(warning);
+    return result;
   }
 
   RunState OutputFolder::resume()
@@ -228,7 +264,9 @@ namespace io
     run_.state = state;
     run_.history_bytes = history_.size();
     run_.probes_bytes = probes_.size();
-    checkpoints_.write(to_text(run_), [&](const std::string &folder) {
+    RunDescription now = run_;
+    now.starts = starts();
+    checkpoints_.write(to_text(now), [&](const std::string &folder) {
       simulation.save(folder);
     });
   }

@@ -82,12 +82,12 @@ namespace io
     {
       const double rate = summary.updates / summary.loop_seconds;
       return {{"wall_seconds", number(summary.loop_seconds)},
-              {"core_seconds", number(summary.core_seconds)},
+              {"core_seconds", number(summary.starts.core_seconds)},
               {"updates", number(summary.updates)},
               {"updates_per_second", number(rate)},
               {"updates_per_second_per_core", number(rate / summary.ranks)},
               {"largest_cells", summary.state.largest_cells},
-              {"peak_memory_bytes", number(summary.peak_memory)}};
+              {"peak_memory_bytes", number(summary.starts.peak_memory)}};
     }
   } // namespace
 
@@ -114,13 +114,17 @@ namespace io
       json["message"] = summary.message;
     json["time"] = number(summary.state.time);
     json["steps"] = summary.state.step;
+    Json interruptions = Json::array();
+    for (const auto &[step, at] : summary.starts.interruptions)
+      interruptions.push_back({{"step", step}, {"time", number(at)}});
     json["resumed_from_step"] =
-      summary.resumed_from ? Json(*summary.resumed_from) : Json(nullptr);
+      interruptions.empty() ? Json(nullptr) : interruptions.back()["step"];
+    json["interruptions"] = interruptions;
     json["retries"] = summary.state.retries;
     json["ranks"] = summary.ranks;
     json["cells"] = summary.cells;
     json["unknowns"] = summary.unknowns;
-    json["wall_seconds"] = number(summary.wall_seconds);
+    json["wall_seconds"] = number(summary.starts.wall_seconds);
     json["performance"] = performance(summary);
     json["conservation"] =
       conservation(summary.first_values, summary.last_values);
@@ -128,7 +132,7 @@ namespace io
     json["results"] = with_units(summary.results);
     json["checks"] = with_units(summary.checks);
     json["assumptions"] = assumptions(summary);
-    json["warnings"] = summary.warnings;
+    json["warnings"] = summary.starts.warnings;
     json["timers"] = timers;
     return json.dump(2) + "\n";
   }

@@ -8,6 +8,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cmath>
+#include <limits>
+
 namespace contrecoup
 {
 namespace io
@@ -24,10 +27,39 @@ namespace io
       visit("free_step", state.unbounded_step);
       visit("retries", state.retries);
       visit("updates", state.updates);
+      visit("largest_cells", state.largest_cells);
       visit("field_index", state.field_index);
       visit("history_step", state.history_step);
       visit("probe_step", state.probe_step);
       visit("field_step", state.field_step);
+    }
+
+    Json json_of(const RunStarts &starts)
+    {
+      Json estimates = Json::object();
+      for (const auto &[name, value] : starts.estimates)
+        estimates[name] = std::isfinite(value) ? Json(value) : Json(nullptr);
+      return {{"wall_seconds", starts.wall_seconds},
+              {"core_seconds", starts.core_seconds},
+              {"peak_memory", starts.peak_memory},
+              {"estimates", estimates},
+              {"warnings", starts.warnings},
+              {"interruptions", starts.interruptions}};
+    }
+
+    RunStarts starts_of(const Json &json)
+    {
+      RunStarts starts;
+      json.at("wall_seconds").get_to(starts.wall_seconds);
+      json.at("core_seconds").get_to(starts.core_seconds);
+      json.at("peak_memory").get_to(starts.peak_memory);
+      for (const auto &item : json.at("estimates").items())
+        starts.estimates[item.key()] =
+          item.value().is_null() ? std::numeric_limits<double>::quiet_NaN()
+                                 : item.value().get<double>();
+      json.at("warnings").get_to(starts.warnings);
+      json.at("interruptions").get_to(starts.interruptions);
+      return starts;
     }
 
     /// @throws InputError unless the checkpoint has the format of this build
@@ -66,6 +98,7 @@ namespace io
                        {"git_revision", git_revision()},
                        {"format", formats::checkpoint.number},
                        {"state", state},
+                       {"starts", json_of(description.starts)},
                        {"history_bytes", description.history_bytes},
                        {"probes_bytes", description.probes_bytes},
                        {"fields", fields},
@@ -89,6 +122,7 @@ namespace io
       for (const Json &entry : json.at("fields"))
         description.fields.push_back({entry.at(0), entry.at(1), entry.at(2)});
       json.at("parameters").get_to(description.parameters);
+      description.starts = starts_of(json.at("starts"));
       visit_members(description.state, [&](const char *name, auto &value) {
         json.at("state").at(name).get_to(value);
       });

@@ -33,6 +33,9 @@ struct SolidBody<Real>::CheckpointHeader
   double nodal_work;
   double step_change;
   double initial_energy;
+  double least_volume;
+  double computed_updates;
+  double total_updates;
 };
 
 namespace
@@ -185,7 +188,10 @@ void SolidBody<Real>::save(const std::string &folder) const
                                   external_work_,
                                   nodal_work_,
                                   step_change_,
-                                  initial_energy_});
+                                  initial_energy_,
+                                  least_volume_,
+                                  computed_updates_,
+                                  total_updates_});
     for (const TissueEnergies &one : operator_.losses())
       write_binary(out, one);
     for (std::size_t i = 0; i < mesh_.nodes.size(); ++i)
@@ -290,6 +296,7 @@ SolidBody<Real>::read_header(std::istream &in, const std::string &file)
   time_of_relaxed_strain_ = header.relaxed_time;
   times_ = header.times;
   initial_energy_ = header.initial_energy;
+  least_volume_ = header.least_volume;
   std::vector<TissueEnergies> losses(operator_.losses().size());
   for (TissueEnergies &one : losses)
     read_binary(in, one);
@@ -299,6 +306,8 @@ SolidBody<Real>::read_header(std::istream &in, const std::string &file)
   external_work_ += header.external_work;
   nodal_work_ += header.nodal_work;
   step_change_ += header.step_change;
+  computed_updates_ += header.computed_updates;
+  total_updates_ += header.total_updates;
   for (std::size_t i = 0; i < losses.size(); ++i)
   {
     operator_.losses()[i].bulk_viscosity += losses[i].bulk_viscosity;

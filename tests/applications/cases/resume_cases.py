@@ -13,9 +13,10 @@ from case import (check_bound, checkpoints, compare_bytes, compare_numbers,
                   expand, read_json, read_summary, require)
 
 LIMIT = "Time/Largest number of steps"
-# Of what a summary says beside its errors, what was found on the whole way.
-PEAKS = ("probe_", "loads_", "injury_", "highest_", "lowest_", "largest_",
-         "principal_")
+# What a summary says of the whole way, whatever its starts.
+SKIPPED = ("skipped_updates", "quiet_elements")
+WHOLE = ("conservation", "errors", "results", "checks", "assumptions",
+         "warnings")
 
 
 def checkpoint_state(output):
@@ -62,6 +63,7 @@ def judge(case, straight, output, state, ranks):
     require(0.5 * rest < updates[1] <= (1. + 1e-9) * rest < updates[0],
             f"{updates[1]:.0f} updates were made after the checkpoint instead "
             f"of at most {rest:.0f}")
+    require_skipping(one, two, state["updates"], rest - updates[1])
     if ranks > 1:
         compare_numbers(case.options.tolerance, straight, output,
                         case.options.compare)
@@ -71,12 +73,38 @@ def judge(case, straight, output, state, ranks):
                         recursive=True)]
     compare_bytes(straight, output,
                   expand(straight, case.options.compare) + fields)
-    ends = [{key: summary.get(key) for key in ("conservation", "errors")}
-            | {key: value
-               for key, value in summary.get("results", {}).items()
-               if key.startswith(PEAKS)} for summary in (one, two)]
-    require(ends[0] == ends[1],
-            f"summaries differ: {ends[0]} and {ends[1]}")
+    ends = [without_skipping(summary) for summary in (one, two)]
+    for key, value in ends[0].items():
+        require(value == ends[1][key],
+                f"{key} differ: {value} and {ends[1][key]}")
+
+
+def without_skipping(summary):
+    """What is of the whole way, but for the fraction of skipped updates."""
+    skipped = {"checks": SKIPPED, "assumptions": "quiet_leaves"}
+    return {key: {name: value for name, value in summary[key].items()
+                  if name not in skipped.get(key, ())}
+            if isinstance(summary[key], dict) else summary[key]
+            for key in WHOLE if key in summary}
+
+
+def require_skipping(straight, resumed, before, n_missed):
+    """Skipped updates are counted over all starts. Gas: they differ by those that
+    the last start skipped or computed otherwise, of all that there were; a first
+    stage counts among these, but skips none. Solid: the last start skips none,
+    while the first one skipped at least as large a share as all of the way."""
+    all_updates = straight["performance"]["updates"]
+    for name in SKIPPED:
+        if name not in straight["checks"]:
+            continue
+        one, two = (summary["checks"][name]["value"]
+                    for summary in (straight, resumed))
+        lower, upper = one * before / all_updates, one
+        if name == "skipped_updates":
+            share = 10. * abs(n_missed) / all_updates
+            lower, upper = one - share, one + share
+        require(lower - 1e-9 <= two <= upper + 1e-9,
+                f"{name} is {two} instead of {lower} to {upper}")
 
 
 def stop(case, output, steps, ranks=None):

@@ -199,9 +199,12 @@ def summarise(status, step, value, first):
                    "git_revision": "0", "status": status,
                    "time": step * float(entries["Step size"]),
                    "steps": step, "retries": 0, "ranks": 1, "unknowns": 10,
-                   "wall_seconds": 1., "checks": {},
+                   "wall_seconds": 1., "checks": {
+                       "skipped_updates": value_of(
+                           0.1 if first and flawed("dozing") else 0.5, "-")},
                    "assumptions": assumptions(),
                    "timers": {}, "warnings": [], "errors": {"x": abs(value - exact)},
+                   "interruptions": [],
                    "resumed_from_step":
                        first if "--resume" in sys.argv else None,
                    "performance": {

@@ -20,7 +20,7 @@ struct RunState
   double unbounded_step = 0.;
   std::uint64_t retries = 0; ///< total number of step size reductions
   double updates = 0.;       ///< total number of updated unknowns
-  /// Largest number of mesh cells since this start; not in checkpoints.
+  /// Largest number of mesh cells so far.
   std::uint64_t largest_cells = 0;
   std::uint64_t field_index = 0; ///< index of the next field output
   /// Steps of the last written rows and fields; -1: none.

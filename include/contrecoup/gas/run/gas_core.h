@@ -149,10 +149,11 @@ private:
   std::uint64_t n_steps_ = 0;
   double last_step_ = 0.;                 ///< size [s]
   std::array<double, 6> wall_force_ = {}; ///< in the last step
-  /// Steps of this run with Stage::bound_velocity_slopes.
+  /// Steps with Stage::bound_velocity_slopes.
   double n_bounded_steps_ = 0.;
-  /// Leaf updates in all stages of this run on all ranks.
-  double n_computed_ = 0.;
+  /// Leaf updates in all stages on all ranks: computed, and possible without
+  /// skipping.
+  double n_computed_ = 0., n_possible_ = 0.;
   /// Leaf updates of this rank in about the last hundred steps, and those that
   /// the same simulated time requires without retries; both include quiet
   /// leaves.

@@ -9,8 +9,6 @@
 #include <contrecoup/io/run/command_line.h>
 
 #include <chrono>
-#include <cstdint>
-#include <optional>
 #include <string>
 
 namespace contrecoup
@@ -58,12 +56,11 @@ namespace io
     OutputFolder folder_;
     RunState state_;
     double updates_before_ = 0.;
-    std::optional<std::uint64_t> resumed_from_; ///< step of the checkpoint
     std::vector<Assumption> plan_;
 
-    std::chrono::steady_clock::time_point begin_;
-    double begin_processor_; ///< of this process [s]
-    std::chrono::steady_clock::time_point loop_begin_;
+    std::chrono::steady_clock::time_point begin_ =
+      std::chrono::steady_clock::now();
+    std::chrono::steady_clock::time_point loop_begin_ = begin_;
   };
 } // namespace io
 } // namespace contrecoup

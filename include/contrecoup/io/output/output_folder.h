@@ -10,6 +10,7 @@
 #include <contrecoup/io/output/history.h>
 #include <contrecoup/io/run/run_description.h>
 
+#include <chrono>
 #include <map>
 #include <memory>
 #include <string>
@@ -57,6 +58,13 @@ namespace io
      */
     std::string find_checkpoint(const std::vector<std::string> &exempt,
                                 double end_time);
+
+    /// Gives @p plan the estimates that an earlier start had before its first
+    /// step, if it had the same end; else keeps those of @p plan.
+    void keep_estimates(std::vector<Assumption> &plan);
+
+    /// All starts until now, this one included. Collective.
+    RunStarts starts() const;
 
     /// Truncates histories and collections to their state at the checkpoint of
     /// find_checkpoint(). Returns the state of the run.
@@ -107,6 +115,8 @@ namespace io
     bool resumes_ = false;
     RunDescription run_; ///< current state, for checkpoints
     std::vector<NamedValue> last_values_;
+    std::chrono::steady_clock::time_point begin_; ///< of this start
+    double begin_processor_;                      ///< of this process [s]
   };
 } // namespace io
 } // namespace contrecoup

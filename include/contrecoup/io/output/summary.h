@@ -5,12 +5,12 @@
 
 #include <contrecoup/base/run/simulation.h>
 #include <contrecoup/base/run/time_control.h>
+#include <contrecoup/io/run/run_description.h>
 
 #include <deal.II/base/mpi.h>
 
 #include <cstdint>
 #include <map>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,15 +25,12 @@ namespace io
     std::string status;  ///< finished, stopped, failed
     std::string message; ///< why it failed
     RunState state;
-    std::optional<std::uint64_t> resumed_from; ///< step of the checkpoint
-    double wall_seconds = 0.;                  ///< of this start
-    double loop_seconds = 0.;                  ///< of this start, without setup
-    double core_seconds = 0.; ///< processor time of this start, all ranks
+    RunStarts starts;
+    double loop_seconds = 0.; ///< of this start, without setup
     double updates = 0.;      ///< of this start
     unsigned int ranks = 1;
     std::uint64_t cells = 0;
     std::uint64_t unknowns = 0;
-    double peak_memory = 0.; ///< [byte]
     std::vector<NamedValue> first_values;
     std::vector<NamedValue> last_values;
     std::vector<NamedValue> errors;
@@ -41,7 +38,6 @@ namespace io
     std::vector<NamedValue> checks;
     std::vector<Assumption> plan;         ///< with estimates
     std::vector<Assumption> audit;        ///< with measurements
-    std::vector<std::string> warnings;    ///< that the run printed
     std::map<std::string, double> timers; ///< [s]
   };
 
@@ -49,15 +45,16 @@ namespace io
   void describe(Simulation &simulation, Summary &summary);
 
   /**
-   * Text of summary.json. "wall_seconds" at the top is the total, that under
-   * "performance" the time loop; "core_seconds" there is the total processor
-   * time of all ranks, "largest_cells" the largest number of cells of this
-   * start. For each conserved quantity Q of the history,
+   * Text of summary.json. "wall_seconds" at the top is the total of all starts,
+   * that under "performance" the time loop of this one; "core_seconds" there is
+   * the total processor time of all starts and ranks, "largest_cells" the
+   * largest number of cells. For each conserved quantity Q of the history,
    * "conservation" has Q_first, Q_last and Q_relative_change = (last - first)
    * / |first|. Values that are not finite become null. "resumed_from_step" is
    * the step of the checkpoint from which this start resumed, null for a new
-   * run. "results" and "checks" have an object with value and unit for each
-   * name. "assumptions" has for each item of the audit an object with decision,
+   * run; "interruptions" has step and time of each such checkpoint. "results"
+   * and "checks" have an object with value and unit for each name.
+   * "assumptions" has for each item of the audit an object with decision,
    * quantity, unit, estimate, measured value, limit, whether it holds (null
    * without a limit or a measured value), and the entry that changes the
    * decision.

@@ -17,12 +17,25 @@ namespace contrecoup
 {
 namespace io
 {
+  /// What all starts of a run until now have in common or have spent.
+  struct RunStarts
+  {
+    double wall_seconds = 0.; ///< to the last checkpoint of each start
+    double core_seconds = 0.; ///< processor time, all ranks
+    double peak_memory = 0.;  ///< [byte]
+    std::map<std::string, double> estimates; ///< of the plan, by name
+    std::vector<std::string> warnings;       ///< each once
+    /// Steps and times [s] of the checkpoints from which starts went on.
+    std::vector<std::pair<std::uint64_t, double>> interruptions;
+  };
+
   /// State of run loop and outputs in a checkpoint: run.json.
   struct RunDescription
   {
     std::string application;
     std::string build; ///< of the writing program, see this_build()
     RunState state;
+    RunStarts starts;
     std::map<std::string, std::string> parameters;
     std::uint64_t history_bytes = 0;
     std::uint64_t probes_bytes = 0;

@@ -77,7 +77,7 @@ public:
   }
 
   /// Fraction of element updates that were skipped because nothing had moved
-  /// there, since the start or the last restart.
+  /// there. After a restart all are computed.
   double skipped_fraction() const;
 
   /// Force of the ground on the body [N].
@@ -114,8 +114,7 @@ public:
       operator_.deformed_step(nodes_, body_step), communicator_);
   }
 
-  /// Smallest ratio of an element's volume to its undeformed volume since the
-  /// start or the last restart.
+  /// Smallest ratio of an element's volume to its undeformed volume so far.
   double least_volume() const
   {
     return least_volume_;
