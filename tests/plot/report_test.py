@@ -40,8 +40,8 @@ from plot.figures import (body_loads, body_views, plane_cuts,  # noqa: E402
                           style)
 from plot.readers import tables  # noqa: E402
 from plot.readers.scene import Scene  # noqa: E402
-from plot.report import (blast_sections, error_estimate,  # noqa: E402
-                         headline, injury_table, injury_thresholds,
+from plot.report import (accuracy, blast_sections,  # noqa: E402
+                         error_estimate, headline, injury_table, injury_thresholds,
                          page as html_page, reflections, scene_sections,
                          verdict)
 
@@ -655,6 +655,49 @@ class ReportTest(unittest.TestCase):
                              text)
         self.assertEqual([html_page.counted(n, "verdict") for n in (0, 1, 13)],
                          ["no verdicts", "one verdict", "13 verdicts"])
+
+    def test_interruptions(self):
+        """A stage that was interrupted says where it went on."""
+        def status(places):
+            run = types.SimpleNamespace(exists=False, summary={
+                "status": "finished", "interruptions": places})
+            return accuracy.cost_row("blast", {}, run)[1]
+        self.assertEqual(status([]), "finished")
+        self.assertEqual(
+            status([{"step": 17, "time": 2e-3}, {"step": 1234, "time": 5e-3}]),
+            "finished, interrupted: went on from step 17 (2.00\u00a0ms) and "
+            "step 1234 (5.00\u00a0ms)")
+
+    def test_phases_with_two_waves(self):
+        """The error of a positive phase does not hold where either run has a dip
+        before a second wave in it: the time to the first dip is told."""
+        time = np.linspace(0., 4e-3, 401)
+
+        def run(coarser=None, **dips):
+            columns = Columns(time=time)
+            for name, (dip, value) in dips.items():
+                columns[name] = np.interp(
+                    time, [1e-3, 1.01e-3, 1e-3 + dip, 1.01e-3 + dip, 3e-3],
+                    [0., 100., value, value + 30., 0.])
+            known = {"arrival": 1e-3, "peak": 100., "positive phase": 2e-3}
+            return types.SimpleNamespace(
+                coarser=coarser, gauge_measures=lambda: dict.fromkeys(
+                    (*dips, "absent"), known),
+                blast=types.SimpleNamespace(table=lambda _: columns))
+        deep, later = (5e-4, 20.), (1e-3, 20.)
+        found = error_estimate.least_phases(run(
+            chest=deep, back=later, arm=later,
+            coarser=run(chest=later, back=deep, arm=later)))
+        self.assertEqual({name: round(1e3 * value, 2)
+                          for name, value in found.items()},
+                         {"chest": 0.5, "back": 0.5, "arm": 1.})
+        single = Columns(time=time, chest=np.interp(
+            time, [1e-3, 1.01e-3, 3e-3], [0., 100., 0.]))
+        alone = run(chest=later)
+        alone.blast.table = lambda _: single
+        self.assertEqual(error_estimate.least_phases(alone), {})
+        self.assertIn("least positive phase", self.text)
+        self.assertIn("the error of the phase does not hold", self.text)
 
     def test_walls(self):
         """Sides that reflect are named where the wave is told and judged, and

@@ -301,17 +301,22 @@ def _gauge_errors(scene, gauges):
     if not errors:
         return page.paragraph("The numerical errors of this table are unknown: "
                               "the scene has no coarser run.", kind="note")
+    least = error_estimate.least_phases(scene)
     rows = [(name, *(page.error(errors[name][measure])
                      if measure in errors.get(name, {}) else "unknown"
-                     for measure in error_estimate.GAUGE_MEASURES))
+                     for measure in error_estimate.GAUGE_MEASURES),
+             page.milliseconds(least[name]) if name in least else "–")
             for name, measures in scene.gauge_measures().items()
             if measures["peak"] > 0. and name in gauges]
     return page.table(
         ("place", "error of peak", "error of impulse",
-         "error of positive phase"), rows,
-        "Numerical errors, estimated from the coarser run. Errors of positive "
-        "phases can be several times as large where finer cells part a second "
-        "wave from the first.", numbers=(1, 2, 3))
+         "error of positive phase", "least positive phase"), rows,
+        "Numerical errors, estimated from the coarser run. Where a second wave "
+        "comes within the positive phase of this run or of the coarser one, the "
+        "error of the phase does not hold: finer cells may let the pressure "
+        "fall to zero in the dip before that wave, after the least positive "
+        "phase. A dash: no dip shows; cells that merge both waves hide it, too.",
+        numbers=(1, 2, 3, 4))
 
 
 def resultant(scene):

@@ -5,6 +5,7 @@
 import math
 import statistics
 
+from plot.analysis import signals
 from plot.report import page
 
 # Assumed order of convergence: pressures at fronts converge slower than to
@@ -17,6 +18,8 @@ ORDER = 0.7
 GAUGE_MEASURES = ("peak", "impulse", "positive phase")
 # Smallest relative error of a measure: two runs can agree by chance.
 LEAST = 0.02
+# Fraction of the peak by which a dip between two waves stands out.
+SMALLEST_DIP = 0.02
 
 
 def of_gauges(fine, coarse, ratio, names=GAUGE_MEASURES):
@@ -47,6 +50,31 @@ def of_scene_gauges(scene):
     ratio = (scene.facts.get("coarser_run") or {}).get("cell_ratio", 2.)
     return of_gauges(scene.gauge_measures(), scene.coarser.gauge_measures(),
                      ratio)
+
+
+def least_phases(scene):
+    """Times from the arrival at a place on the skin to the first dip before a
+    second wave within the positive phase, in this run or the coarser one [s]:
+    finer cells may end the phase there. By the place, without those that have no
+    dip."""
+    found = {}
+    for run in (scene, scene.coarser):
+        gauges = run and run.blast.table("load_gauges.csv")
+        if gauges is None:
+            continue
+        for name, measures in run.gauge_measures().items():
+            begin, length = measures["arrival"], measures["positive phase"]
+            if name not in gauges or not measures["peak"] > 0.:
+                continue
+            inside = (gauges["time"] >= begin) \
+                & (gauges["time"] <= begin + length)
+            dips = signals.extrema(
+                gauges["time"][inside], gauges[name][inside],
+                SMALLEST_DIP * measures["peak"])[1] if inside.any() else []
+            if dips:
+                found[name] = min(found.get(name, math.inf),
+                                  dips[0][0] - begin)
+    return found
 
 
 def factor(scene, name):
