@@ -1114,7 +1114,7 @@ class ReportTest(unittest.TestCase):
         scene = types.SimpleNamespace(coarser=run, has_own_mesh=lambda: False)
         words = headline._verdicts(scene, [
             entry("ear", True), entry("lung", False), entry("chest", None)])
-        self.assertEqual(words, ["Numerical error could change one of two "
+        self.assertEqual(words, ["Numerical error could change one of three "
                                  "verdicts: lung; it is unknown of chest: the "
                                  "coarser run has no value of it."])
 
@@ -1142,19 +1142,43 @@ class ReportTest(unittest.TestCase):
         self.assertIsNone(verdict._lungs([]))
 
     def test_lungs_by_the_tables(self):
-        """Where the tables have a load above the threshold, that is said."""
-        load = injury_table.Judged(
-            "lung_exposure_air", 0.107, "-", injury_thresholds.Known(
-                "load", [(0.2, "threshold of lung injury")], "", ""), None, "")
-
-        def found(known):
-            scene = types.SimpleNamespace(table_answer=lambda _: (known, None))
-            return str(verdict._by_tables(scene, [load],
-                                          verdict._lungs([load])))
-        self.assertIn("by the tables lung injury possible, load 0.210",
-                      found(0.21))
-        for known in (0.15, None):
-            self.assertNotIn("tables", found(known))
+        """Where one of run and tables alone has a load above the threshold, that
+        is said, of a trunk that is far from the charge by its own distance."""
+        def words(name, value, in_the_open, at_trunk=None):
+            load = injury_table.Judged(
+                name, value, "-", injury_thresholds.Known(
+                    "load", [(0.2, "threshold of lung injury")], "", ""), None,
+                "")
+            scene = types.SimpleNamespace(
+                table_answer=lambda _: (in_the_open, None),
+                table_answer_at_trunk=lambda _: at_trunk, facts={},
+                list_of=lambda _: [], coarser=None)
+            with unittest.mock.patch.object(
+                    injury_table, "is_trunk_far",
+                    lambda _: at_trunk is not None):
+                return (str(verdict._by_tables(scene, [load],
+                                               verdict._lungs([load]))),
+                        " ".join(headline._tables(scene, [load])))
+        for load, tables in (
+                (("lung_exposure_air", 0.107), (0.21,)),
+                (("lung_exposure", 0.107), (0.5, 0.21))):
+            told, doubt = words(*load, *tables)
+            self.assertIn("by the tables lung injury possible, load 0.210",
+                          told)
+            self.assertIn("is 0.210, above the threshold of lung injury of 0.2, "
+                          "where this run has 0.107, below it", doubt)
+            self.assertEqual("at the distance of the trunk" in doubt,
+                             len(tables) > 1)
+        told, doubt = words("lung_exposure_air", 0.25, 0.15)
+        self.assertIn("by the tables no lung injury, load 0.150", told)
+        self.assertIn("is 0.150, below the threshold", doubt)
+        for load, *tables in ((("lung_exposure_air", 0.107), 0.15),
+                              (("lung_exposure_air", 0.107), None),
+                              (("lung_exposure_air", 0.25), 0.3),
+                              (("lung_exposure", 0.107), 0.21),
+                              (("lung_exposure", 0.107), 0.5, 0.15)):
+            for text in words(*load, *tables):
+                self.assertNotIn("tables", text)
 
     def test_curves_of_head_injury_keep_their_order(self):
         """AIS 3 or worse includes AIS 4, where the fits cross, too."""

@@ -121,7 +121,8 @@ def write_scene(folder):
                    "equivalence_of_impulse": 1.19, "is_published": True,
                    "source": "TM 5-855-1 (1986)", "answer": {
                        "in_the_open": EFFECT, "before_a_wall": {
-                           **EFFECT, "lung_lethality": 0.0421}}},
+                           **EFFECT, "lung_lethality": 0.0421}},
+                   "trunk": None},
         "table_comparison": [dict(zip((
             "name", "unit", "run", "run_error", "tables", "tables_error",
             "differs"), row)) for row in TABLES],

@@ -74,6 +74,12 @@ class Scene:
         return tuple(files.as_number((known.get(place) or {}).get(name))
                      for place in ("in_the_open", "before_a_wall"))
 
+    def table_answer_at_trunk(self, name):
+        """What the tables say of a person in the open whose trunk is farther
+        from the charge than the nearest skin; None where it is not."""
+        known = (self.facts.get("tables") or {}).get("trunk") or {}
+        return files.as_number((known.get("in_the_open") or {}).get(name))
+
     def warnings(self):
         """Warnings of all stages, each once, with the stages that had them;
         those of the coarser run alone last."""

@@ -316,9 +316,25 @@ def _tables(scene, judged):
                "measured)") + "; loads and verdicts carry "
             + ("these differences." if len(differing) > 1
                else "this difference."))
+    other = verdict.other_lungs(scene, judged)
+    if other is not None and not disagrees:
+        load, known = other
+        limit, meaning = load.thresholds[0]
+        sides = ("above", "below") if load.exceeded(known) else \
+            ("below", "above")
+        chances.append(
+            f"the load on the lung{_at_trunk(scene)} is {page.number(known)}, "
+            f"{sides[0]} the {meaning} of {load.shown_limit(limit)}, where this "
+            f"run has {load.shown()}, {sides[1]} it")
     if chances:
         parts.append("By the tables, " + page.joined(chances) + ".")
     return [" ".join(parts)] if parts else []
+
+
+def _at_trunk(scene):
+    """Where the tables are asked for lungs that are farther from the charge."""
+    return " at the distance of the trunk" \
+        if injury_table.is_trunk_far(scene) else ""
 
 
 def _verdicts(scene, judged):
@@ -333,7 +349,7 @@ def _verdicts(scene, judged):
     open_ones = [entry for entry in known if not entry.is_certain()]
     return ["Numerical error could change "
             + (page.count_in_words(len(open_ones)) if open_ones else "none")
-            + f" of {page.counted(len(known), 'verdict')}"
+            + f" of {page.counted(len(having), 'verdict')}"
             + (": " + page.joined(entry.short_title() for entry in open_ones)
                if open_ones else "")
             + ("; it is unknown of "

@@ -12,6 +12,7 @@ LIFE = ((0.01, "survives"), (0.5, "may die of lung injury"),
 EARS = ((0.05, "stay intact"), (0.5, "may rupture"),
         (0.95, "probably rupture"), (2., "almost certainly rupture"))
 NO_LEVEL = "none"
+SOUND, POSSIBLE = "no lung injury", "lung injury possible"
 UNSURE = "uncertain by the numerics"
 
 
@@ -176,11 +177,11 @@ def _lungs(judged):
     if load is not None and load.exceeded() and not (
             entry is not None and entry.exceeded()):
         # Of two measures the worse one counts.
-        return Verdict("lungs", "lung injury possible", "mid",
+        return Verdict("lungs", POSSIBLE, "mid",
                        f"load {load.shown()} of the median lethal one, above "
                        f"the {load.meaning()}", load)
     if entry is None and load is not None:
-        return Verdict("lungs", "no lung injury", injury_table.severity(load),
+        return Verdict("lungs", SOUND, injury_table.severity(load),
                        f"by the load alone, {load.shown()} of the median "
                        "lethal one", load)
     if entry is None:
@@ -192,24 +193,37 @@ def _lungs(judged):
     if entry.error is not None:
         bounds = _levels(entry, entry.bounds())
         detail = "" if bounds == here else f"by the numerics {bounds}"
-    words = "no lung injury" if here == NO_LEVEL else \
+    words = SOUND if here == NO_LEVEL else \
         f"chest wall velocity: {here}" if entry.is_own else \
         f"lung injury {here}"
     return Verdict("lungs", words, injury_table.severity(entry), detail, entry)
 
 
+def other_lungs(scene, judged):
+    """The load that tells whether lungs are injured, and that of the tables at
+    the same distance, where only one of them is above the first threshold and
+    makes the verdict another one; else None."""
+    is_far, lungs = injury_table.is_trunk_far(scene), _lungs(judged)
+    load = _load(judged) if is_far else \
+        injury_table.find(judged, "lung_exposure_air")
+    known = scene.table_answer_at_trunk("lung_exposure") if is_far else \
+        scene.table_answer("lung_exposure")[0]
+    if None in (lungs, load, known) or lungs.words not in (
+            SOUND, POSSIBLE) or bool(load.exceeded()) == bool(
+                load.exceeded(known)):
+        return None
+    return load, known
+
+
 def _by_tables(scene, judged, lungs):
-    """The verdict on lungs that are sound, with that of the tables where their
-    load in the open passes a threshold that the run's does not."""
-    load = injury_table.find(judged, "lung_exposure_air")
-    known = scene.table_answer("lung_exposure")[0]
-    if lungs is None or load is None or known is None or \
-            lungs.words != "no lung injury" or load.exceeded() or \
-            not load.exceeded(known):
+    """The verdict on lungs, with that of the tables where it is another one."""
+    found = other_lungs(scene, judged)
+    if found is None:
         return lungs
-    told = f"by the tables lung injury possible, load {page.number(known)}"
-    return Verdict(lungs.subject, lungs.words, "mid", "; ".join(
-        filter(None, (lungs.detail, told))), lungs.entry)
+    told = POSSIBLE if lungs.words == SOUND else SOUND
+    return Verdict(lungs.subject, lungs.words, "mid", "; ".join(filter(
+        None, (lungs.detail, f"by the tables {told}, load "
+               f"{page.number(found[1])}"))), lungs.entry)
 
 
 def _brain(judged):

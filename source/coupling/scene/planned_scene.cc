@@ -218,22 +218,32 @@ double PlannedScene::person_mass() const
 }
 
 
-std::string PlannedScene::answer_at_trunk() const
+std::optional<SceneLayout> PlannedScene::layout_at_trunk() const
 {
   // As in the report.
   constexpr double farther = 1.15;
   SceneLayout there = *layout_;
   there.distance = std::numeric_limits<double>::infinity();
   for (const Landmark &landmark : body_->landmarks())
-    if (landmark.name == "chest" || landmark.name == "back")
+    if (landmark.name == "chest" || landmark.name == "back" ||
+        landmark.name.find("upper arm") != std::string::npos)
       there.distance =
         std::min(there.distance, landmark.place.distance(layout_->charge));
   if (!std::isfinite(there.distance) ||
       there.distance <= farther * layout_->distance)
+    return {};
+  return there;
+}
+
+
+std::string PlannedScene::answer_at_trunk() const
+{
+  const auto there = layout_at_trunk();
+  if (!there)
     return "";
-  const std::string where = "  the trunk is " + brief(there.distance, 3) +
+  const std::string where = "  the trunk is " + brief(there->distance, 3) +
                             " m from the charge: the incident wave there ";
-  const auto answer = table_answer(parameters_, there, person_mass());
+  const auto answer = table_answer(parameters_, *there, person_mass());
   return answer ? where + "loads the lung with " +
                     brief(answer->in_the_open.lung_exposure, 2) +
                     " of what kills half, death by lung injury: " +

@@ -168,8 +168,8 @@ namespace
   }
 
 
-  /// The answer of the tables, null where they have none, and the equivalence
-  /// by which they are entered.
+  /// The answer of the tables, null where they have none, that at the trunk if
+  /// this is much farther, and the equivalence by which they are entered.
   io::Json tables_of(const PlannedScene &scene)
   {
     const TntEquivalence &tnt = scene.parameters().explosive.tnt;
@@ -178,7 +178,8 @@ namespace
                      {"is_published", tnt.is_published},
                      {"source", tnt.source},
                      {"body_mass", scene.person_mass()},
-                     {"answer", nullptr}};
+                     {"answer", nullptr},
+                     {"trunk", nullptr}};
     if (const auto answer =
           table_answer(scene.parameters(), scene.layout(), scene.person_mass()))
       json["answer"] = {{"arrival", answer->arrival},
@@ -186,6 +187,14 @@ namespace
                         {"duration", answer->duration},
                         {"in_the_open", effect_of(answer->in_the_open)},
                         {"before_a_wall", effect_of(answer->before_a_wall)}};
+    if (const auto there = scene.layout_at_trunk())
+    {
+      const auto answer =
+        table_answer(scene.parameters(), *there, scene.person_mass());
+      json["trunk"] = {
+        {"distance", there->distance},
+        {"in_the_open", answer ? effect_of(answer->in_the_open) : io::Json()}};
+    }
     return json;
   }
 

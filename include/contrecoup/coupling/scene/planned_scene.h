@@ -62,6 +62,10 @@ public:
     return *layout_;
   }
 
+  /// The layout with the distance of the trunk, where this is much farther from
+  /// the charge than the nearest skin, as with a charge at the feet.
+  std::optional<SceneLayout> layout_at_trunk() const;
+
   /// Probes of biomechanics in tissues; empty unless injury is asked for.
   const std::vector<TissuePlace> &tissue_places() const
   {
@@ -82,8 +86,7 @@ public:
   std::vector<std::string> first_answer() const;
 
 private:
-  /// What the tables tell of lungs that are much farther from the charge than
-  /// the nearest skin, as with a charge at the feet; empty where they are not.
+  /// What the tables tell of lungs at layout_at_trunk(); empty without one.
   std::string answer_at_trunk() const;
   /// The elements of the body and their size.
   std::string elements_in_words() const;
