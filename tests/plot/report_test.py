@@ -1014,18 +1014,20 @@ class ReportTest(unittest.TestCase):
         self.assertLess(errors["ear_rupture_left ear"], 0.5)
 
     def test_model_bias(self):
-        """Is told with its sign, and not where it was not measured."""
-        rows = [{"item": "model_bias_peak", "estimate": "-0.05"},
-                {"item": "model_bias_impulse", "estimate": "0.078"},
-                {"item": "model_bias_duration", "estimate": "-0.38"}]
-        for known in (rows, []):
+        """Is told with its sign, and where it was not measured why."""
+        def told(*rows):
+            known = [{"item": f"model_bias_{name}", "estimate": value,
+                      "decision": why} for name, value, why in rows]
             scene = types.SimpleNamespace(list_of=lambda _: known)
-            told = " ".join(headline._model_bias(scene)).replace("\xa0", " ")
-            self.assertEqual(bool(told), bool(known))
-        scene.list_of = lambda _: rows
-        told = headline._model_bias(scene)[0].replace("\xa0", " ")
-        self.assertIn("a peak 5.0 % below, an impulse 7.8 % above and a duration "
-                      "38 % below the tables", told)
+            return " ".join(headline._model_bias(scene)).replace("\xa0", " ")
+        self.assertIn("a peak 5 % below, an impulse 8 % above and a duration "
+                      "31 % below the tables",
+                      told(("peak", "-0.05", ""), ("impulse", "0.08", ""),
+                           ("duration", "-0.31", "")))
+        self.assertIn("is unknown: nobody measured it.", told(
+            *((name, "unknown", "nobody measured it")
+              for name in ("peak", "impulse", "duration"))))
+        self.assertEqual(told(), "")
 
     def test_no_afterburn(self):
         """Of a balanced explosive: no sentence on effects of nothing."""

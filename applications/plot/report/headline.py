@@ -396,11 +396,16 @@ def _afterburn(scene):
 def _model_bias(scene):
     """What the model itself adds to the differences from the tables."""
     parts = [f"{'an' if name == 'impulse' else 'a'} {name} "
-             f"{page.percent(abs(bias), 2)} {'below' if bias < 0. else 'above'}"
+             f"{page.given(round(abs(100. * bias)), '%')} "
+             f"{'below' if bias < 0. else 'above'}"
              for name, bias in _known_biases(scene).items()]
-    return [f"In fine cells, too, the model gives this explosive "
-            f"{page.joined(parts)} the tables in free air at this distance."] \
-        if parts else []
+    if parts:
+        return [f"In fine cells, too, the model gives this explosive "
+                f"{page.joined(parts)} the tables in free air at this "
+                "distance."]
+    return [f"How far the model differs from the tables in fine cells is "
+            f"unknown: {row['decision']}." for row in scene.list_of("plan")
+            if row.get("item") == "model_bias_peak"]
 
 
 def _known_biases(scene):

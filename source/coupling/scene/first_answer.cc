@@ -117,7 +117,7 @@ std::vector<std::string> first_answer(const SceneParameters &scene,
               brief(1e3 * layout.arrival, 3) + " ms"};
   }
   const std::string equivalence = equivalence_in_words(scene.explosive);
-  const std::string bias = in_words(model_bias(scene, layout.distance));
+  const ModelBias bias = model_bias(scene, layout.distance);
   std::vector<std::string> lines = {
     "first answer, by tables and without a run: " + what +
       (equivalence.empty() ? "" : " (" + equivalence + ")") + where +
@@ -136,10 +136,9 @@ std::vector<std::string> first_answer(const SceneParameters &scene,
     "  left out: reflection by the ground" +
       (walls.empty() ? "" : " and by " + walls) +
       ", shape and tissues of the body; a run has them"};
-  if (!bias.empty())
-    lines.push_back(
-      "  known bias of a run's incident wave, whatever its cells: " + bias +
-      " of these figures");
+  lines.push_back(
+    "  bias of a run's incident wave, whatever its cells: " + in_words(bias) +
+    (bias.gap.empty() ? " of these figures" : ""));
   return lines;
 }
 } // namespace contrecoup::coupling

@@ -66,7 +66,8 @@ namespace
     return table;
   }
 
-  /// Linear between the logarithms of distances.
+  /// Linear between the logarithms of distances; in whole per cents, as it is
+  /// told everywhere.
   double interpolate(const std::array<double, n_distances> &values,
                      const double distance)
   {
@@ -75,7 +76,8 @@ namespace
     const auto i = static_cast<std::size_t>(after - distances.begin());
     const double part = std::log(distance / distances[i - 1]) /
                         std::log(distances[i] / distances[i - 1]);
-    return values[i - 1] + part * (values[i] - values[i - 1]);
+    return 0.01 * std::round(100. * (values[i - 1] +
+                                     part * (values[i] - values[i - 1])));
   }
 } // namespace
 
@@ -84,11 +86,16 @@ ModelBias model_bias(const SceneParameters &scene, const double distance)
 {
   const double scaled = distance / std::cbrt(scene.mass);
   const auto found = measured().find(scene.explosive.name);
-  const bool is_measured = found != measured().end() &&
-                           scene.custom_entries.empty() &&
-                           scene.has_usual_afterburn;
-  if (!is_measured || scaled < distances.front() || scaled > distances.back())
-    return {unknown, unknown, unknown};
+  std::string gap;
+  if (found == measured().end() || !scene.custom_entries.empty())
+    gap = "it was not measured for constants of the user's own";
+  else if (!scene.has_usual_afterburn)
+    gap = "it was not measured for afterburn of the user's own";
+  else if (scaled < distances.front() || scaled > distances.back())
+    gap = "it was measured from " + brief(distances.front()) + " to " +
+          brief(distances.back()) + " m/kg^(1/3) alone";
+  if (!gap.empty())
+    return {unknown, unknown, unknown, gap};
   return {interpolate(found->second.peak, scaled),
           interpolate(found->second.impulse, scaled),
           interpolate(found->second.duration, scaled)};
@@ -101,8 +108,8 @@ std::string in_words(const ModelBias &bias)
     return what + (value < 0. ? " -" : " +") +
            brief(std::abs(std::round(100. * value))) + " %";
   };
-  return std::isnan(bias.peak)
-           ? ""
+  return !bias.gap.empty()
+           ? "unknown: " + bias.gap
            : words("peak", bias.peak) + ", " + words("impulse", bias.impulse) +
                ", " + words("duration", bias.duration);
 }

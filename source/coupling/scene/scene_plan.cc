@@ -201,12 +201,14 @@ namespace
             "Scene/Cell size"};
   }
 
-  /// Item about a known difference of the model from the tables.
-  Assumption bias(const std::string &what, const double value)
+  /// Item about the difference of the model from the tables.
+  Assumption
+  bias(const std::string &what, const double value, const std::string &gap)
   {
     return {"model_bias_" + what,
-            "as the explosive's constants and afterburn give it",
-            "known difference of the model's incident " + what +
+            gap.empty() ? "as the explosive's constants and afterburn give it"
+                        : gap,
+            "difference of the model's incident " + what +
               " from the tables, whatever the cells",
             "-",
             value,
@@ -242,12 +244,9 @@ namespace
       resolution(scene, layout, layout.cells_per_phase()),
       body_cells(layout)};
     const ModelBias known = model_bias(scene, layout.distance);
-    if (!std::isnan(known.peak))
-    {
-      items.push_back(bias("peak", known.peak));
-      items.push_back(bias("impulse", known.impulse));
-      items.push_back(bias("duration", known.duration));
-    }
+    items.push_back(bias("peak", known.peak, known.gap));
+    items.push_back(bias("impulse", known.impulse, known.gap));
+    items.push_back(bias("duration", known.duration, known.gap));
     return items;
   }
 

@@ -556,7 +556,8 @@ def _model_bias(files):
     rows = {row["item"]: row for row in files.scene.get("plan", [])}
     values = [(name, float(rows[f"model_bias_{name}"]["estimate"]))
               for name in ("peak", "impulse", "duration")
-              if f"model_bias_{name}" in rows]
+              if rows.get(f"model_bias_{name}", {}).get(
+                  "estimate", "unknown") != "unknown"]
     return [(rf"gives this .*?an? {name} ({report_reader.NUMBER} %) "
              + ("below" if value < 0. else "above"), abs(value))
             for name, value in values]

@@ -14,12 +14,14 @@ namespace contrecoup::coupling
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 /// Relative difference of the incident wave of the model from the tables of
-/// Kingery and Bulmash where cells are no reason [-]; NaN: not measured.
+/// Kingery and Bulmash where cells are no reason, in whole per cents [-]; NaN:
+/// not measured.
 struct ModelBias
 {
   double peak;
   double impulse;
-  double duration; ///< of the positive phase
+  double duration;      ///< of the positive phase
+  std::string gap = ""; ///< why it was not measured; empty: it was
 };
 
 /**
@@ -31,6 +33,6 @@ struct ModelBias
  */
 ModelBias model_bias(const SceneParameters &scene, double distance);
 
-/// "peak -3 %, impulse +12 %, duration -5 %"; empty: not measured.
+/// "peak -3 %, impulse +12 %, duration -5 %", or "unknown: " and why.
 std::string in_words(const ModelBias &bias);
 } // namespace contrecoup::coupling
