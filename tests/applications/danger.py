@@ -22,9 +22,7 @@ import zlib
 
 import danger_files
 
-FILES = os.path.join(os.path.dirname(os.path.dirname(os.path.dirname(
-    os.path.abspath(__file__)))), "parameter_files")
-
+FILES = danger_files.FILES
 HUMAN = "blast/quickstart_human.prm"
 NEAR = "blast/extremes/body_charge_5_cm.prm"
 CUT = "blast/extremes/charge_cut.prm"
@@ -223,6 +221,11 @@ ACCEPTED = {
          ["Charge/Mass=0.2", "Charge/Height=0.032"], ["stage by stage"], []),
         ("charge a little aside", QUICK, ["Charge/Place=2.4, 0.003, 1.27"],
          ["stage by stage"], []),
+        ("loads with a preset for injuries", danger_files.LOADS, [],
+         ["rigid_body", "valid"], ["set but not used"]),
+        ("loads with an entry for injuries", danger_files.LOADS,
+         ["Biomechanics/Elements/Kinematics=small strain"],
+         ["Biomechanics/Elements/Kinematics is set but not used"], []),
         ("charge near the skin", QUICK, ["Charge/Distance=0.12"],
          ["is not known beforehand", "stage by stage"], []),
     ],

@@ -6,8 +6,18 @@ millimetres, and loads that blast records on a ball and on a wedge."""
 import os
 import subprocess
 
+FILES = os.path.join(os.path.dirname(os.path.dirname(os.path.dirname(
+    os.path.abspath(__file__)))), "parameter_files")
 BALL = "ball.prm"
 WEDGE = "wedge.prm"
+LOADS = "loads.prm"
+PRESET = """
+subsection Biomechanics
+  subsection Elements
+    set Kinematics = neo-hookean
+  end
+end
+"""
 
 BLAST = """
 subsection Domain
@@ -129,6 +139,11 @@ def write(application, blast):
     write_box("head.stl", (150., 180., 220.))
     places = {"MAN": os.path.abspath("man.stl"),
               "HEAD": os.path.abspath("head.stl")}
+    if application == "scene":
+        write_text("preset.prm", PRESET)
+        write_text(LOADS, f"include {FILES}/scene/verification/head.prm\n"
+                   "include preset.prm\nsubsection Scene\n"
+                   "  set Question = loads\nend\n")
     if application != "biomechanics":
         return places
     write_wedge("wedge.stl")

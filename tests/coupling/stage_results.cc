@@ -134,6 +134,16 @@ TEST(SceneAudit, JudgesStrainAndMotionOfAnyBody)
   EXPECT_NEAR(item_of(audit({}), "gravity_of_body").value,
               9.81 * scene.end_time / 3.,
               1e-12);
+  // Where loads are the question nothing moves the body, which is said.
+  SceneParameters of_loads = scene;
+  of_loads.question = "loads";
+  const auto rows = scene_audit(of_loads,
+                                layout,
+                                scene_plan(of_loads, layout, {}, 2., false),
+                                folder.path());
+  EXPECT_TRUE(std::isnan(item_of(rows, "rigid_body").value));
+  EXPECT_EQ(item_of(rows, "rigid_body").limit,
+            item_of(audit({}), "rigid_body").limit);
   // A law for large strains has no such limit.
   const auto large =
     audit({parse_override("Biomechanics/Elements/Kinematics=neo-hookean"),

@@ -47,7 +47,8 @@ SCENE = {
     "command": WORDS, "ranks": NUMBER,
     "stages": [{"name": WORDS, "status": WORDS, "folder": WORDS,
                 "wall_seconds": NUMBER, "core_seconds": NUMBER,
-                "peak_memory": NUMBER, "disk": NUMBER, "hash": WORDS}],
+                "peak_memory": NUMBER, "disk": NUMBER,
+                "warnings": [WORDS], "hash": WORDS}],
     "plan": [_ROW], "audit": [_ROW], "remarks": [WORDS]}
 SUMMARY = {
     "application": WORDS, "format": NUMBER, "version": WORDS, "git_revision": WORDS,

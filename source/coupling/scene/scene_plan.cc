@@ -468,6 +468,11 @@ std::vector<Assumption> scene_audit(const SceneParameters &scene,
   if (scene.wants_injury())
     for (const Assumption &item : found_of_body(scene, layout, plan, folder))
       items.push_back(item);
+  else
+    // Nothing moves the body.
+    for (const Assumption &item : plan)
+      if (item.name == "rigid_body")
+        items.push_back(rigid_body(unknown, layout));
   for (const Assumption &item : task_items(folder + "/blast", "measured"))
     items.push_back(item);
   return items;

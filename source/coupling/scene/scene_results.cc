@@ -80,6 +80,17 @@ namespace
   }
 
 
+  /// Warnings in the summary of a stage.
+  io::Json warnings_of(const SceneTask &task)
+  {
+    const io::Json summary =
+      io::read_json(task.folder() + "/summary.json", io::formats::summary);
+    return summary.is_object() && summary.contains("warnings")
+             ? summary["warnings"]
+             : io::Json::array();
+  }
+
+
   io::Json task_rows(const std::vector<SceneTask> &tasks,
                      const std::vector<std::string> &reused)
   {
@@ -96,6 +107,7 @@ namespace
                       {"core_seconds", record.core_seconds},
                       {"peak_memory", record.peak_memory},
                       {"disk", record.disk},
+                      {"warnings", warnings_of(task)},
                       {"hash", record.key}});
     }
     return rows;

@@ -18,6 +18,8 @@
 #include <contrecoup/io/application/application.h>
 #include <contrecoup/io/output/output_folder.h>
 
+#include <boost/algorithm/string/predicate.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -190,6 +192,8 @@ namespace
         if (!SceneParameters::is_of_stage(assignment))
           own.push_back(assignment);
         else if (assignment.sections[0] == "Biomechanics" &&
+                 !boost::algorithm::ends_with(assignment.origin,
+                                              ", included") &&
                  (is_override(assignment) || !chose_question))
           of_biomechanics.push_back(join(assignment.sections, "/") + "/" +
                                     assignment.entry);
