@@ -133,15 +133,17 @@ void StudyParameters::declare_parameters(ParameterHandler &prm)
 
 void StudyParameters::require_effect() const
 {
-  if (error.reference_settings())
-    return;
   for (const auto &setting : settings)
     for (const Factor &factor : factors)
       for (std::size_t i = 0; i < factor.entries.size(); ++i)
         if (factor.entries[i] == setting.first && factor.always_sets(i))
-          throw InputError("Study/Settings: \"" + setting.first +
-                           "\" has no effect, since \"Vary " + factor.name +
-                           "\" sets it in each run");
+          throw InputError(
+            "Study/Settings: \"" + setting.first +
+            "\" has no effect, since \"Vary " + factor.name +
+            "\" sets it in each run" +
+            (error.reference_settings()
+               ? "; what the reference run alone has stands in Error/Reference"
+               : ""));
 }
 
 void StudyParameters::parse_parameters(ParameterHandler &prm)

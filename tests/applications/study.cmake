@@ -52,6 +52,9 @@ study_refuses(unknown_setting "Study/Settings: blast: unknown entry"
 study_refuses(setting_without_effect
   "\"Domain/Coarse leaves\" has no effect, since \"Vary leaves\" sets it"
   SET "Study/Settings=Domain/Coarse leaves=10" ARGUMENTS --check)
+study_refuses(setting_of_the_reference "stands in Error/Reference"
+  SET "Study/Settings=Domain/Coarse leaves=10" "Error/Kind=reference run"
+  "Error/Reference=Domain/Coarse leaves=20" ARGUMENTS --check)
 study_refuses(first_run "the run (finite volume, 10): blast: "
   SET "Study/Settings=Initial state/Kind=uniform" ARGUMENTS --check)
 # Outputs that no run can have, before anything runs.

@@ -33,7 +33,7 @@ struct StudyParameters
   void parse_parameters(dealii::ParameterHandler &prm);
 
 private:
-  /// @throws InputError for a setting that no run has, the reference included
+  /// @throws InputError for a setting that each run replaces
   void require_effect() const;
 };
 } // namespace contrecoup::study
