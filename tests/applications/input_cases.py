@@ -317,11 +317,6 @@ def accepted():
     yield ("a level of a stage", "scene",
            shipped(SCENE, near, entry("Blast/Adaptation/Largest level", "1")),
            "changed: Blast/Adaptation/Largest level = 1, otherwise ")
-    yield ("air of a stage", "scene",
-           shipped(SCENE, near,
-                   entry("Blast/Initial state/Background/Pressure", "90000")),
-           "changed: Blast/Initial state/Background/Pressure = 90000, otherwise "
-           "101325")
     yield ("an explosive of the user", "scene",
            shipped(SCENE, near, entry("Charge/Explosive", "custom"),
                    entry("Charge/Custom explosive/Name", "my mix"),

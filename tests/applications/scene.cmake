@@ -106,6 +106,12 @@ scene_refuses(other_mass "contradicts Body of the scene"
   SET "Blast/Loads/Body mass=20")
 scene_refuses(other_cells "contradicts Scene/Cell size of the scene"
   SET "Blast/Rigid body/Levels=0")
+scene_refuses(second_charge
+  "Blast/Charges/Charge 2/Mass: plan, tables and verdicts of a scene hold for its one charge"
+  SET "Blast/Charges/Charge 2/Mass=1")
+scene_refuses(other_air
+  "Blast/Initial state/Background/Pressure: plan, tables and verdicts of a scene hold for air"
+  SET "Blast/Initial state/Background/Pressure=90000")
 scene_refuses(other_elements "contradicts Scene/Element size of the scene"
   SET "Anatomy/Mesh/Element size=0.02")
 scene_refuses(unrecorded_loads "Blast/Loads/Record must be true"

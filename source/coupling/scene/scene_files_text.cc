@@ -58,6 +58,23 @@ namespace
                                          : "";
   }
 
+  /// @throws InputError for an entry of the blast with which neither plan nor
+  /// tables nor verdicts of a scene are right
+  void require_of_scene(const std::string &stage,
+                        const std::string &path,
+                        const Assignment &assignment)
+  {
+    const bool is_state = begins_with(path, "Initial state/");
+    if (is_state || (begins_with(path, "Charges/Charge ") &&
+                     !begins_with(path, "Charges/Charge 1/")))
+      throw InputError(
+        assignment.origin + ": " + stage + "/" + path +
+        ": plan, tables and verdicts of a scene hold for " +
+        (is_state ? "air at rest at sea level" : "its one charge") +
+        "; blast and biomechanics themselves take it, with blast.prm and "
+        "biomechanics.prm of the scene's output folder");
+  }
+
   /// Entries of the user with another value than @p before.
   /// @throws InputError for those that the scene alone may determine
   std::vector<ChangedEntry>
@@ -72,6 +89,9 @@ namespace
     {
       const std::string path = path_of(assignment);
       const auto old = before.find(path), now = after.find(path);
+      if (old == before.end() || now == after.end() ||
+          !is_same(old->second, now->second))
+        require_of_scene(stage, path, assignment);
       if (old == before.end() || now == after.end() ||
           is_same(old->second, now->second))
         continue;
