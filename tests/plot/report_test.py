@@ -487,6 +487,12 @@ class ReportTest(unittest.TestCase):
                     "Survives (death by lung injury: less than 0.1 %); eardrums",
                     "free-field load over the 50 % lethality load 0.432",
                     "probability of death by lung injury less than 0.1 %")
+        # The reflected load on the skin then has no verdict of its own.
+        judged = {entry.name: entry.has_verdict
+                  for entry in injury_table.judge(Scene(folder))
+                  if "lung_exposure" in entry.name}
+        self.assertTrue(judged.pop("lung_exposure_air"))
+        self.assertEqual(set(judged.values()), {False}, judged)
         # The tables have another verdict, for an equivalence of energies.
         change_json(folder, "scene.json", lambda facts: facts["tables"].update(
             is_published=False, source="ratio of energies", answer={

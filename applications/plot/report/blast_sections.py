@@ -152,7 +152,8 @@ def verdict_figure(scene, verdicts):
         + (", with marks at " + page.joined(mark.words for mark in marks)
            if marks else "") + ".", "Peak overpressure on the skin."
         + (" Marks have the colour of their verdict: green below all "
-           "thresholds, red above all, brown between"
+           "thresholds, red above all, brown between, or where measures or the "
+           "tables differ"
            + ("." if all(mark.is_seen for mark in marks) else
               "; hollow ones are behind what is seen.") if marks else ""))
 

@@ -293,6 +293,12 @@ def _measures_of(run, side, lungs, all_known):
             continue
         add(name, measure.value, measure.unit,
             of_file(name, measure, all_known))
+    if "lung_exposure_air" in found:
+        # The thresholds are those of the load in the open, which is known.
+        for name, (*value, known) in found.items():
+            if name.startswith(("lung_exposure", "injury_lung_exposure")) \
+                    and name != "lung_exposure_air" and not known.is_own:
+                found[name] = *value, known._replace(is_exposure=True)
     return found
 
 
