@@ -94,6 +94,9 @@ TEST(Person, SaysWhereTheChargeIs)
          {"0, -90, 0", "beyond the person's feet"}})
     EXPECT_EQ(person_by({"Rotation=" + rotation}).charge_in_words(), words);
   EXPECT_EQ(person_by({"Kind=shape"}).charge_in_words(), "");
+  EXPECT_EQ(person_by({"Kind=image", "Rotation=0, 0, -30"}).charge_in_words(),
+            "before the person's front, 30 degrees to the left of where the "
+            "person faces (the front of the image, +y of its header)");
 }
 
 

@@ -133,6 +133,7 @@ protected:
 
 const Header small{{{3, 2, 2}}, {{2.F, 3.F, 4.F}}};
 const std::vector<short> small_labels{1, 0, 2, 1, 1, 2, 1, 0, 2, 1, 3, 3};
+const std::string table = "Image/Labels=1: brain; 2-3: skeleton";
 } // namespace
 
 
@@ -258,7 +259,6 @@ TEST_F(Images, IntegersOf64BitsAreRead)
 
 TEST_F(Images, CompressedContentIsReadUnderAnyName)
 {
-  const std::string table = "Image/Labels=1: brain; 2-3: skeleton";
   const std::string whole = make_nifti(small, small_labels);
   for (const std::string &file :
        {write_compressed("compressed.nii", whole), write("a.nii.gz", whole)})
@@ -281,9 +281,27 @@ TEST_F(Images, CompressedContentIsReadUnderAnyName)
 }
 
 
+// Which side is the front, and what the header says twice or not at all.
+TEST_F(Images, TheHeaderIsSaidWhereItIsNotPlain)
+{
+  for (const auto &[width, unit, words] :
+       {std::tuple{2.F, '\2', "the front of its header (+y) is +x"},
+        std::tuple{2.F, '\0', "no unit of length; mm is taken"},
+        std::tuple{1.F, '\2', "1 x 3 x 4 (pixdim), but of 2 x 3 x 4 by"}})
+  {
+    std::string bytes = make_nifti(small, small_labels);
+    std::memcpy(&bytes[80], &width, sizeof(width));
+    bytes[123] = unit;
+    const std::string file = "Image/File=" + write("a.nii", bytes);
+    const auto said = create({file, table})->remarks();
+    EXPECT_EQ(said.size(), width == 2.F && unit == '\2' ? 1u : 2u);
+    EXPECT_NE(said.front().find(words), std::string::npos) << said.front();
+  }
+}
+
+
 TEST_F(Images, ThePositionsComeFromTheFormThatSpansSpace)
 {
-  const std::string table = "Image/Labels=1: brain; 2-3: skeleton";
   // The matrix of zeros is named by its code as well.
   Header header = small;
   header.form = Form::quaternion;
@@ -294,14 +312,14 @@ TEST_F(Images, ThePositionsComeFromTheFormThatSpansSpace)
     create({"Image/File=" + write("a.nii", bytes), table});
   EXPECT_EQ(body->part_at({0., 0.004, 0.}), 1);
   EXPECT_EQ(body->part_at({0., -0.004, 0.}), LabelGrid::outside);
-  ASSERT_EQ(body->remarks().size(), 1u);
+  ASSERT_EQ(body->remarks().size(), 2u);
   EXPECT_NE(body->remarks()[0].find("its qform places the voxels"),
             std::string::npos);
 
   header.form = Form::none;
   const BodyPointer unknown = create(
     {"Image/File=" + write("b.nii", make_nifti(header, small_labels)), table});
-  ASSERT_EQ(unknown->remarks().size(), 1u);
+  ASSERT_EQ(unknown->remarks().size(), 2u);
   EXPECT_EQ(unknown->remarks()[0].find("WARNING: "), 0u);
   EXPECT_NE(unknown->remarks()[0].find("left and right are unknown"),
             std::string::npos);
@@ -376,7 +394,6 @@ TEST_F(Images, BadImagesAreRefusedInOneLine)
   expect(refusal({}), "Body/Image/File is empty");
   expect(refusal({good, "Image/Kind=t1 and brain mask"}),
          "Body/Image/Brain mask is empty");
-  const std::string table = "Image/Labels=1: brain; 2-3: skeleton";
   expect(refusal({"Image/File=/nowhere/a.nii", table}),
          "there is no such file");
   const std::string whole = make_nifti(small, small_labels);

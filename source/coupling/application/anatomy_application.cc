@@ -92,7 +92,7 @@ namespace coupling
                   " hexahedra and " + std::to_string(mesh_.nodes.size()) +
                   " nodes in " + duration(meshed_));
         for (const std::string &remark : body_->remarks())
-          log_line(remark_line(remark));
+          show_line(remark_line(remark));
         for (const std::string &line : strays_)
           log_line(remark_line(line));
         if (!mesh_.hanging_nodes.empty())

@@ -187,14 +187,16 @@ std::string Person::side_to_charge() const
 std::string Person::charge_in_words() const
 {
   const std::string side = side_to_charge();
+  const std::string front =
+    kind_ == "image" ? " (the front of the image, +y of its header)" : "";
   // An angle about the body's long axis says nothing along this axis.
   if (side.empty() || side == "head" || side == "feet")
     return side.empty() ? "" : "beyond the person's " + side;
   const double azimuth = std::round(charge_azimuth());
   if (azimuth == 0.)
-    return "straight ahead of the person";
+    return "straight ahead of the person" + front;
   return "before the person's " + side + ", " + brief(std::abs(azimuth)) +
          " degrees to the " + (azimuth < 0. ? "right" : "left") +
-         " of where the person faces";
+         " of where the person faces" + front;
 }
 } // namespace contrecoup::coupling

@@ -170,7 +170,7 @@ void PlannedScene::print(const bool with_plan) const
             brief(1e3 * layout_->cell_size()) + " mm at the skin" +
             (parameters_.wants_injury() ? ", " + elements_in_words() : ""));
   if (person_->axes())
-    log_line("  the charge is " + person_->charge_in_words());
+    show_line("  the charge is " + person_->charge_in_words());
   if (parameters_.cell_size > layout_->cell_size() * (1. + 1e-9))
     show_line("  Scene/Cell size = " + brief(parameters_.cell_size) +
               " m is an upper bound: cells are " +

@@ -228,8 +228,11 @@ void ImageDescription::declare_parameters(dealii::ParameterHandler &prm)
     "labels",
     {"labels", "t1 and brain mask"},
     "A label map, or a T1-weighted image of a head with a brain mask.");
-  declare_file(
-    prm, "File", "", "NIfTI-1 image: .nii, .nii.gz, or .hdr beside its .img.");
+  declare_file(prm,
+               "File",
+               "",
+               "NIfTI-1 image: .nii, .nii.gz, or .hdr beside its .img. The "
+               "front by its header (+y) becomes +x of the body, its left +y.");
   declare_file(
     prm,
     "Brain mask",

@@ -3,6 +3,7 @@
 
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/readable_file.h>
+#include <contrecoup/base/system/text.h>
 #include <contrecoup/geometry/image/voxel_image.h>
 
 #include <nifti/nifti1_io.h>
@@ -241,10 +242,40 @@ namespace
     return sizes;
   }
 
+  /// Remarks on what the header leaves open, or contradicts itself about.
+  void
+  add_remarks(const nifti_image &source, const mat44 &form, VoxelImage &image)
+  {
+    const std::string where = "image \"" + image.file + "\": ";
+    if (source.xyz_units == NIFTI_UNITS_UNKNOWN)
+      image.remarks.push_back(where +
+                              "its header has no unit of length; mm is taken");
+    constexpr double tolerance = 0.01;
+    std::vector<std::string> sizes, lengths;
+    bool agree = true;
+    for (unsigned int d = 0; d < 3; ++d)
+    {
+      const double length =
+        std::hypot(form.m[0][d], form.m[1][d], form.m[2][d]);
+      agree &= std::abs(source.pixdim[d + 1] - length) <= tolerance * length;
+      sizes.push_back(brief(source.pixdim[d + 1]));
+      lengths.push_back(brief(length));
+    }
+    if (!agree)
+      image.remarks.push_back("WARNING: " + where +
+                              "its header has voxels of " + join(sizes, " x ") +
+                              " (pixdim), but of " + join(lengths, " x ") +
+                              " by its sform, which counts");
+    image.remarks.push_back(
+      where + "before Body/Rotation, the front of its header (+y) is +x of the "
+              "body, its left (-x) is +y, and up is +z");
+  }
+
   /// NIfTI axes point right, forward and up.
   void copy_place(const nifti_image &source, VoxelImage &image)
   {
     const mat44 placement = choose_form(source, image);
+    add_remarks(source, placement, image);
     const auto &form = placement.m;
     const double unit = length_of_unit(source.xyz_units);
     for (unsigned int column = 0; column < 3; ++column)
