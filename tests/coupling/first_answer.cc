@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <regex>
 #include <string>
 
@@ -81,6 +82,19 @@ TEST(FirstAnswer, TellsTheBiasOfTheModelOrThatItIsUnknown)
   EXPECT_TRUE(has(answer_for(1.), known)) << answer_for(1.).back();
   EXPECT_FALSE(has(answer_for(1., false), known));
   EXPECT_TRUE(has(answer_for(1., false), "unknown: it was not measured"));
+}
+
+
+// 1 kg of TNT has swept its mass of air at 2 m, 1000 kg have not.
+TEST(FirstAnswer, HasTheReservationOfThePlanNearTheCharge)
+{
+  const auto has_reservation = [](const double mass) {
+    const auto lines = answer_for(mass);
+    return std::find(lines.begin(), lines.end(), "  " + unknown_beforehand()) !=
+           lines.end();
+  };
+  EXPECT_FALSE(has_reservation(1.));
+  EXPECT_TRUE(has_reservation(1000.));
 }
 
 

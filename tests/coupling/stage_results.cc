@@ -154,6 +154,22 @@ TEST(SceneAudit, JudgesStrainAndMotionOfAnyBody)
 }
 
 
+// The tables know the phase of 1 kg beside the box, of 1 mg they do not.
+TEST(ScenePlan, KnowsCellsInAPositivePhaseOfTheTablesAlone)
+{
+  SceneParameters scene = small_scene();
+  for (const double mass : {1., 1e-6})
+  {
+    scene.mass = mass;
+    const SceneLayout layout = box_layout(scene);
+    EXPECT_EQ(
+      std::isfinite(
+        item_of(scene_plan(scene, layout, {}, 2., false), "resolution").value),
+      mass == 1.);
+  }
+}
+
+
 // Whether one factor keeps the impulse is decided once, for both runs.
 TEST(CoarserRun, CorrectsTheImpulseAsTheSceneDoes)
 {

@@ -95,6 +95,13 @@ std::string percent(const double probability)
 }
 
 
+std::string unknown_beforehand()
+{
+  return "the front reaches the body before it has swept the charge's mass of "
+         "air; what it has there is not known beforehand";
+}
+
+
 std::vector<std::string> first_answer(const SceneParameters &scene,
                                       const SceneLayout &layout,
                                       const double body_mass,
@@ -136,6 +143,8 @@ std::vector<std::string> first_answer(const SceneParameters &scene,
     "  left out: reflection by the ground" +
       (walls.empty() ? "" : " and by " + walls) +
       ", shape and tissues of the body; a run has them"};
+  if (!layout.is_far(scene))
+    lines.push_back("  " + unknown_beforehand());
   lines.push_back(
     "  bias of a run's incident wave, whatever its cells: " + in_words(bias) +
     (bias.gap.empty() ? " of these figures" : ""));

@@ -183,8 +183,7 @@ void PlannedScene::print(const bool with_plan) const
                   brief(1e-3 * layout_->overpressure,
                         layout_->overpressure < 1e6 ? 3 : 4) +
                   " kPa" + (equivalence.empty() ? "" : " (" + equivalence + ")")
-              : "  the front reaches the body before it has swept the charge's "
-                "mass of air; what it has there is not known beforehand");
+              : "  " + unknown_beforehand());
   for (const ChangedEntry &change : parameters_.changes)
     show_line("  changed: " + change.entry + " = " + change.value +
               (change.is_of_stage ? ", otherwise " : ", in the library ") +

@@ -241,7 +241,12 @@ namespace
       afterburn(scene),
       afterburn_effect(scene, layout, BlastQuantity::overpressure),
       afterburn_effect(scene, layout, BlastQuantity::impulse),
-      resolution(scene, layout, layout.cells_per_phase()),
+      resolution(scene,
+                 layout,
+                 scene.incident_wave().is_tabulated(BlastQuantity::duration,
+                                                    layout.distance)
+                   ? layout.cells_per_phase()
+                   : unknown),
       body_cells(layout)};
     const ModelBias known = model_bias(scene, layout.distance);
     items.push_back(bias("peak", known.peak, known.gap));
@@ -262,7 +267,8 @@ namespace
     std::vector<Assumption> items = items_of_charge(scene, layout);
     for (Assumption &item : items)
       if (item.name == "resolution")
-        item.value *= duration / layout.positive_phase;
+        item.value =
+          layout.cells_per_phase() * duration / layout.positive_phase;
       else if ((item.name.rfind("afterburn_", 0) == 0 &&
                 scene.afterburn > 0.) ||
                item.name.rfind("model_bias_", 0) == 0)

@@ -40,6 +40,9 @@ std::optional<TableAnswer> table_answer(const SceneParameters &scene,
                                         const SceneLayout &layout,
                                         double body_mass);
 
+/// Words for a body that is not SceneLayout::is_far().
+std::string unknown_beforehand();
+
 /// Words on the TNT equivalence by which tables are entered: factors, source,
 /// and that it is an estimate if it was not measured.
 std::string equivalence_in_words(const Explosive &explosive);
