@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Contrecoup authors
-"""Pictures and reports of what runs left in their output folders. A room
-imports only itself and the rooms above it in this list:
+"""Pictures and reports of what runs left in their output folders. A module
+imports only itself and the modules above it in this list:
 
     readers     files of runs as objects; no pictures
     analysis    what histories and fields say: arrivals, peaks, paths

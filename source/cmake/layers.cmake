@@ -24,12 +24,12 @@ function(contrecoup_add_layer name)
   endforeach()
 endfunction()
 
-# contrecoup_add_room(<layer> <source>... [ALONE <source>...]): sources of a layer
+# contrecoup_add_module(<layer> <source>... [ALONE <source>...]): sources of a layer
 # in their own folder. The compiler reads them as one, which halves its work;
 # names in their unnamed namespaces must differ. It reads those after ALONE one by
 # one: kernels, whose code must not depend on what else is there, and parts of one
 # class template.
-function(contrecoup_add_room layer)
+function(contrecoup_add_module layer)
   cmake_parse_arguments(ARG "" "" "ALONE" ${ARGN})
   set(_together ${ARG_UNPARSED_ARGUMENTS})
   list(TRANSFORM _together PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)

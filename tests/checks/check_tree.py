@@ -28,8 +28,8 @@ for _solver in ("gas", "solid", "mpm"):
 for _upper in ("ale", "coupling", "study"):
     BELOW[_upper] = BELOW["gas"] | {"gas", "solid", "mpm"}
 
-# The rooms of a layer, lowest first: each may include itself and those before.
-ROOMS = {"base": ["deal_ii", "lanes", "system", "parameters", "run"],
+# The modules of a layer, lowest first: each may include itself and those before.
+MODULES = {"base": ["deal_ii", "lanes", "system", "parameters", "run"],
          "numerics": ["scheme", "element", "exact", "injury"],
          "geometry": ["image", "shape", "mesh", "body"],
          "io": ["file", "run", "output", "application"],
@@ -42,7 +42,7 @@ ROOMS = {"base": ["deal_ii", "lanes", "system", "parameters", "run"],
          "coupling": ["first_stage", "task", "application", "scene"]}
 
 # Those of the Python package applications/plot.
-PLOT_ROOMS = ["readers", "analysis", "figures", "report", "commands"]
+PLOT_MODULES = ["readers", "analysis", "figures", "report", "commands"]
 
 LONGEST_README = 200  # of the top level: five minutes
 LONGEST_HEADER = 250
@@ -131,58 +131,58 @@ def layers(root):
     return problems
 
 
-def room_of(path, layer):
-    """The room of its layer that a file belongs to, or None."""
+def module_of(path, layer):
+    """The module of its layer that a file belongs to, or None."""
     folders = path.split(os.sep)[:-1]
     here = folders.index(layer) + 1
     return folders[here] if here < len(folders) else None
 
 
-def rooms(root):
-    """Rooms include only downwards."""
+def modules(root):
+    """Modules include only downwards."""
     include = re.compile(r"\s*#\s*include\s*<contrecoup/(\w+)/(\w+)/")
     problems = []
     for path in cpp_files(root, ("include", "source")):
         layer = layer_of(path)
-        if layer not in ROOMS:
+        if layer not in MODULES:
             continue
-        order = ROOMS[layer]
-        room = room_of(path, layer)
-        if room not in order:
-            problems.append(f"{path}: '{room}' is not a room of '{layer}', "
+        order = MODULES[layer]
+        module = module_of(path, layer)
+        if module not in order:
+            problems.append(f"{path}: '{module}' is not a module of '{layer}', "
                             "known are: " + ", ".join(order))
             continue
         for number, line in enumerate(lines_of(root, path), 1):
             match = include.match(line)
             if match and match[1] == layer and (
-                    match[2] not in order[:order.index(room) + 1]):
-                problems.append(f"{path}:{number}: room '{room}' may not "
-                                f"include room '{match[2]}'")
+                    match[2] not in order[:order.index(module) + 1]):
+                problems.append(f"{path}:{number}: module '{module}' may not "
+                                f"include module '{match[2]}'")
     return problems
 
 
-def plot_rooms(root):
-    """Rooms of the Python package import only downwards."""
+def plot_modules(root):
+    """Modules of the Python package import only downwards."""
     package = os.path.join("applications", "plot")
     problems = []
     for here, folders, names in os.walk(os.path.join(root, package)):
         folders[:] = sorted(set(folders) - {"__pycache__"})
-        room = os.path.relpath(here, os.path.join(root, package))
-        if room == ".":
+        module = os.path.relpath(here, os.path.join(root, package))
+        if module == ".":
             continue
-        if room not in PLOT_ROOMS:
-            problems.append(f"{package}/{room}: not a room, known are: "
-                            + ", ".join(PLOT_ROOMS))
+        if module not in PLOT_MODULES:
+            problems.append(f"{package}/{module}: not a module, known are: "
+                            + ", ".join(PLOT_MODULES))
             continue
-        below = PLOT_ROOMS[:PLOT_ROOMS.index(room) + 1]
+        below = PLOT_MODULES[:PLOT_MODULES.index(module) + 1]
         for name in sorted(names):
-            path = os.path.join(package, room, name)
+            path = os.path.join(package, module, name)
             if not name.endswith(".py"):
                 continue
             for number, line in enumerate(lines_of(root, path), 1):
                 match = re.match(r"\s*(?:from|import) plot\b\.?(\w*)", line)
                 if match and match[1] not in below:
-                    problems.append(f"{path}:{number}: room '{room}' may not "
+                    problems.append(f"{path}:{number}: module '{module}' may not "
                                     f"import '{match[1] or 'plot'}'")
     return problems
 
@@ -277,7 +277,7 @@ def unnamed_functions(lines):
 def overloads(root):
     """Sources of a folder, which the compiler reads as one, hide no overloads from
     each other: the order of the sources would decide which one is called."""
-    call = re.compile(r"contrecoup_add_room\(\w+\s([^)]*)\)")
+    call = re.compile(r"contrecoup_add_module\(\w+\s([^)]*)\)")
     problems = []
     for folder, _, names in os.walk(os.path.join(root, "source")):
         if "CMakeLists.txt" not in names:
@@ -319,13 +319,13 @@ def parameters(root):
 
 
 def guide(root):
-    """CONTRIBUTING.md names files that exist, and the rooms in their order."""
+    """CONTRIBUTING.md names files that exist, and the modules in their order."""
     path = "CONTRIBUTING.md"
     if not os.path.exists(os.path.join(root, path)):
         return []
     problems, tables, table = [], {}, None
     for number, line in enumerate(lines_of(root, path), 1):
-        if head := re.match(r"\| room of `(\w+)` \|", line):
+        if head := re.match(r"\| module of `(\w+)` \|", line):
             table = tables[head[1]] = []
         elif not line.startswith("|"):
             table = None
@@ -338,9 +338,9 @@ def guide(root):
             if not any(os.path.exists(os.path.join(root, below, name)) for below
                        in ("", "source", os.path.join("include",
                                                       "contrecoup")))]
-    for layer, known in {**ROOMS, "plot": PLOT_ROOMS}.items():
+    for layer, known in {**MODULES, "plot": PLOT_MODULES}.items():
         if tables.get(layer) != known:
-            problems.append(f"{path}: the rooms of '{layer}' are "
+            problems.append(f"{path}: the modules of '{layer}' are "
                             + ", ".join(known))
     return problems
 
@@ -506,7 +506,7 @@ def spelling(root):
 
 
 CHECKS = {check.__name__: check for check in
-          (layers, rooms, plot_rooms, lengths, functions, mirror, overloads,
+          (layers, modules, plot_modules, lengths, functions, mirror, overloads,
            licence, parameters, guide, links, citation, spelling,
            formatting, tidy)}
 

@@ -72,7 +72,7 @@ class TreeTest(unittest.TestCase):
             self.assertIn(word, problems[0])
 
     def test_good_tree(self):
-        for name in ("layers", "rooms", "plot_rooms", "lengths", "functions",
+        for name in ("layers", "modules", "plot_modules", "lengths", "functions",
                      "mirror", "overloads", "licence", "parameters",
                      "guide", "links", "citation"):
             self.assertEqual(check_tree.CHECKS[name](self.root), [], name)
@@ -92,37 +92,37 @@ class TreeTest(unittest.TestCase):
                    TOP + "#include <contrecoup/io/output/summary.h>\n")
         self.expect("layers", "tests/base/lanes.cc:4")
 
-    def test_upward_include_of_a_room(self):
+    def test_upward_include_of_a_module(self):
         self.write("include/contrecoup/gas/octree/mesh.h",
                    TOP + "#pragma once\n"
                    "#include <contrecoup/gas/octree/leaf.h>\n")
-        self.assertEqual(check_tree.rooms(self.root), [])
+        self.assertEqual(check_tree.modules(self.root), [])
         self.write("source/gas/octree/mesh.cc",
                    TOP + "#include <contrecoup/gas/octree/mesh.h>\n"
                    "#include <contrecoup/gas/stage/stage.h>\n")
-        self.expect("rooms", "mesh.cc:5", "'octree'", "'stage'")
+        self.expect("modules", "mesh.cc:5", "'octree'", "'stage'")
 
-    def test_unknown_room(self):
+    def test_unknown_module(self):
         self.write("source/gas/attic/mesh.cc", GOOD_SOURCE)
-        self.expect("rooms", "'attic' is not a room of 'gas'")
+        self.expect("modules", "'attic' is not a module of 'gas'")
 
-    def test_file_outside_rooms(self):
+    def test_file_outside_modules(self):
         self.write("source/gas/mesh.cc", GOOD_SOURCE)
-        self.expect("rooms", "'None' is not a room of 'gas'")
+        self.expect("modules", "'None' is not a module of 'gas'")
 
     def test_upward_import_in_python(self):
         self.write("applications/plot/figures/style.py",
                    "import os\nfrom plot.readers import files\n")
-        self.assertEqual(check_tree.plot_rooms(self.root), [])
+        self.assertEqual(check_tree.plot_modules(self.root), [])
         for line in ("from plot.report import page", "import plot.report.page",
                      "from plot import command_line"):
             self.write("applications/plot/figures/style.py",
                        "import os\n" + line + "\n")
-            self.expect("plot_rooms", "style.py:2", "'figures'", "import '")
+            self.expect("plot_modules", "style.py:2", "'figures'", "import '")
 
-    def test_unknown_room_in_python(self):
+    def test_unknown_module_in_python(self):
         self.write("applications/plot/attic/style.py", "import os\n")
-        self.expect("plot_rooms", "plot/attic: not a room")
+        self.expect("plot_modules", "plot/attic: not a module")
 
     def test_unknown_layer(self):
         self.write("source/extra/two.cc", GOOD_SOURCE)
@@ -165,10 +165,10 @@ class TreeTest(unittest.TestCase):
         self.write("source/io/file/one.cc", hidden)
         self.write("source/io/file/two.cc", hidden.replace("char", "double"))
         self.write("source/io/file/CMakeLists.txt",
-                   "contrecoup_add_room(io\n  one.cc\n  ALONE\n  two.cc)\n")
+                   "contrecoup_add_module(io\n  one.cc\n  ALONE\n  two.cc)\n")
         self.assertEqual(check_tree.overloads(self.root), [])
         self.write("source/io/file/CMakeLists.txt",
-                   "contrecoup_add_room(io\n  one.cc\n  two.cc)\n")
+                   "contrecoup_add_module(io\n  one.cc\n  two.cc)\n")
         self.expect("overloads", "two.cc: 'number'", "one.cc")
 
     def test_missing_licence(self):
@@ -185,12 +185,12 @@ class TreeTest(unittest.TestCase):
         self.expect("parameters", "two.cc:14")
 
     def test_guide(self):
-        rooms = "".join(
-            f"| room of `{layer}` | holds |\n|---|---|\n"
-            + "".join(f"| `{room}` | it |\n" for room in known) + "\n"
-            for layer, known in {**check_tree.ROOMS,
-                                 "plot": check_tree.PLOT_ROOMS}.items())
-        good = rooms + "`materials/two.cc`\n"
+        modules = "".join(
+            f"| module of `{layer}` | holds |\n|---|---|\n"
+            + "".join(f"| `{module}` | it |\n" for module in known) + "\n"
+            for layer, known in {**check_tree.MODULES,
+                                 "plot": check_tree.PLOT_MODULES}.items())
+        good = modules + "`materials/two.cc`\n"
         self.write("CONTRIBUTING.md", good)
         self.assertEqual(check_tree.guide(self.root), [])
         self.write("CONTRIBUTING.md", good + "`materials/three.h`\n")
@@ -204,7 +204,7 @@ class TreeTest(unittest.TestCase):
         of code, other sites, builds and runs."""
         here = "# Two\n\n## What `two()` is, at 1.5\n\n## Two\n"
         self.write("source/README.md", here)
-        good = ("[two](source/materials/two.cc), [a\nroom](source/README.md"
+        good = ("[two](source/materials/two.cc), [a\nmodule](source/README.md"
                 "#what-two-is-at-15), [again](source/README.md#two-1)\n"
                 "[deal.II](https://www.dealii.org), [here](#links)\n"
                 "`[a](b)`\n```\n# No\n[c](d)\n```\n# Links\n")
