@@ -107,6 +107,8 @@ contrecoup_add_application_test(folder_signals_on_2 folder_signals
   ${_head_loads} MPI 2 CORES 1
   ARGUMENTS --set "Blast/Output/Checkpoint every steps=10"
   COMPARE blast/history.csv TIMEOUT 300)
+contrecoup_add_application_test(folder_signals_in_forecast
+  folder_signals_in_forecast FILE scene/verification/head.prm TIMEOUT 300)
 contrecoup_add_application_test(folder_cache folder_cache ${_head_loads}
   "Scene/End time=0.0005" "Scene/Report=true" COMPARE report.html TIMEOUT 300)
 contrecoup_add_application_test(folder_default folder_default

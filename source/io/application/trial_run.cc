@@ -8,6 +8,7 @@
 #include <contrecoup/base/system/log.h>
 #include <contrecoup/base/system/memory.h>
 #include <contrecoup/base/system/processor_time.h>
+#include <contrecoup/base/system/signals.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/io/application/trial_run.h>
 #include <contrecoup/io/output/load_series.h>
@@ -347,6 +348,8 @@ namespace io
       try
       {
         loop.run(state);
+        if (loop.stop_signal() != 0)
+          throw Stopped(loop.stop_signal());
         has_ended = true;
         output.flush();
         save_results(folder, state, simulation, output, collective);
@@ -358,6 +361,10 @@ namespace io
         // So coarse a run may be too inaccurate for the checks at its end.
         if (!has_ended)
           throw;
+      }
+      catch (const Stopped &)
+      {
+        throw;
       }
       catch (const std::exception &)
       {
@@ -446,6 +453,10 @@ namespace io
         part =
           run_in(path, description, coarse, *simulation, trial, longest, inner);
       });
+    }
+    catch (const Stopped &)
+    {
+      throw;
     }
     catch (const std::exception &)
     {

@@ -248,6 +248,23 @@ def folder_signals(case):
             goes_on(case, output)
 
 
+def folder_signals_in_forecast(case):
+    """SIGTERM while a scene tries coarser runs of its blast ends it with 143."""
+    os.environ.update(XDG_CACHE_HOME=os.path.abspath("no_forecasts"),
+                      CONTRECOUP_CHECK_SECONDS="4")
+    output = case.folder("run")
+    log = os.path.join(output, "log.txt")
+    process = case.start(output)
+    wait_until(process, lambda: os.path.exists(log) and b"Calibrating" in
+               read_bytes(log).partition(b"stage blast:")[2], "its trial runs")
+    process.send_signal(signal.SIGTERM)
+    out, err = process.communicate()
+    require(process.returncode == 143 and err == "",
+            f"it gave {process.returncode}: {out[-999:]}{err[-999:]}")
+    require(b"blast would run" not in read_bytes(log),
+            "the forecast took a stopped run for a whole one")
+
+
 def goes_on(case, output):
     """--resume begins with the step of the newest checkpoint, a scene's on one
     rank, and after another precision was refused."""
@@ -532,6 +549,6 @@ def flip_byte(path):
 
 KINDS = {kind.__name__: kind for kind in
          (folder_finished, folder_foreign, folder_lock, folder_begins,
-          folder_signals,
-          folder_read_only, folder_cache, folder_default, folder_ranks,
-          folder_ranks_fail, folder_stages)}
+          folder_signals, folder_signals_in_forecast, folder_read_only,
+          folder_cache, folder_default, folder_ranks, folder_ranks_fail,
+          folder_stages)}
