@@ -93,6 +93,13 @@ def check_estimate(text, files):
               (r"arrival (\S+ ms)", answer["arrival"]),
               (r"positive phase (\S+ ms)", answer["duration"]),
               (r"wall there: peak (\S+ kPa)", places[1]["overpressure"])]
+    trunk = facts["tables"]["trunk"]
+    require((trunk is not None) == ("  the trunk is " in text),
+            f"trunk: {trunk}, --estimate: {text}")
+    if trunk is not None:
+        wanted += [(r"trunk is (\S+ m) from", trunk["distance"]),
+                   (r"there loads the lung with (\S+) of",
+                    trunk["in_the_open"]["lung_exposure"])]
     for pattern, value in wanted:
         require_same(re.search(pattern, text)[1], value, pattern)
     require(facts["person"]["description"] in text, f"another person: {text}")

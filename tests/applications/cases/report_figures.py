@@ -526,13 +526,15 @@ def _without_verdicts(page, text):
               if "lies within the error" in row["verdict"]]
     if not sure and not unsure:
         return text
-    count = WORDS[len(unsure)] if unsure else "none"
-    told = f"could change {count} of {WORDS[sure + len(unsure)]} verdicts"
-    match = re.search(told + r"(?:: (.*?))?(?:; it is unknown of (.*))?\.\n", text)
-    require(match, f"the answer lacks «{told}»: {text}")
     unknown = [_short(row["measure"]) for row in rows
                if "unknown" in row["value and its estimated error"]
-               and row["verdict"] != "exposure, no verdict"]
+               and row["verdict"] not in ("exposure, no verdict", "no threshold")]
+    count = WORDS[len(unsure)] if unsure else "none"
+    told = f"could change {count} of " \
+        f"{WORDS[sure + len(unsure) + len(unknown)]} verdicts"
+    match = re.search(told + r"(?:: (.*?))?(?:; it is unknown of (.*?): .*)?\.\n",
+                      text)
+    require(match, f"the answer lacks «{told}»: {text}")
     for words, wanted in zip(match.groups(), (unsure, unknown)):
         named = re.split(", | and ", words) if words else []
         require(sorted(named) == sorted(wanted), f"{named} instead of {wanted}")
