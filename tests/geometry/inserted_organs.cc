@@ -107,8 +107,11 @@ std::string refusal(const ShapePointer &surface)
 
 TEST(InsertedOrgans, OfTheOwnSkinStayAsTheyAre)
 {
+  ShapeBody man = donor();
+  man.set_remarks({"from a man"});
   const BodyPointer person =
-    insert_organs(filled(donor().surface()), donor(), allowing(0.01));
+    insert_organs(filled(man.surface()), man, allowing(0.01));
+  EXPECT_EQ(person->remarks().back(), "from a man");
   const auto before = volumes(donor(), 0.006), after = volumes(*person, 0.006);
   for (const auto &[name, volume] : before)
     if (name != "soft tissue")

@@ -164,10 +164,15 @@ BodyPointer BodyDescription::create_unplaced() const
     const BodyPointer body = from_surface_.create(placement_.scale());
     if (!from_surface_.has_organs())
       return body;
-    const auto donor =
-      std::dynamic_pointer_cast<const ShapeBody>(phantom_.create());
+    ShapeBody donor =
+      *std::dynamic_pointer_cast<const ShapeBody>(phantom_.create());
+    donor.set_remarks(
+      {"the phantom of these organs has " +
+       brief(donor.surface()->bounding_box().side_length(2), 4) + " m and " +
+       brief(phantom_.mass(), 3) +
+       " kg (Body/Phantom), the person what the surface has"});
     return insert_organs(
-      *body, *donor, from_surface_.insertion(placement_.scale()));
+      *body, donor, from_surface_.insertion(placement_.scale()));
   }
   if (kind_ == "image")
     return from_image_.create();

@@ -394,7 +394,8 @@ BodyPointer insert_organs(const Body &recipient,
   auto remarks = recipient.remarks();
   for (const auto &lines :
        {posture_remarks(person, insertion.stands_up),
-        fit_remarks(organ_fit, part_shapes, insertion.scale)})
+        fit_remarks(organ_fit, part_shapes, insertion.scale),
+        donor.remarks()})
     remarks.insert(remarks.end(), lines.begin(), lines.end());
   for (PartShape &part_shape : part_shapes)
     part_shape.shape = std::make_shared<PlacedShape>(part_shape.shape, back);
