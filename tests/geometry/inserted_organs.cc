@@ -269,8 +269,8 @@ ShapePointer with_neck(const double radius)
 }
 
 
-/// The donor's trunk and head on a seat 0.4 m high, thighs along x, and the
-/// donor's lower legs before it.
+/// The donor's trunk and head on a seat 0.4 m high, beside which the hands
+/// hang, thighs along x, and the donor's lower legs before it.
 ShapePointer seated_man()
 {
   const double far = 3., seat = 0.4, knee = 0.48;
@@ -282,6 +282,10 @@ ShapePointer seated_man()
   for (const double side : {0.1, -0.1})
     parts.push_back(std::make_shared<RoundedBox>(
       Point<3>(0.22, side, 0.47), Point<3>(0.26, 0.08, 0.07), 0.06));
+  for (const double from : {-far, 0.2})
+    parts.push_back(moved(
+      cut(donor().surface(), {-far, from, 0.}, {far, from + far - 0.2, 0.85}),
+      {0., 0., seat - 0.84}));
   return std::make_shared<Union>(parts);
 }
 } // namespace
@@ -339,6 +343,13 @@ TEST(InsertedOrgans, BendTheLegsOfWhoSits)
   EXPECT_NEAR(*regions.thigh_height, 0.47, 0.03);
   EXPECT_NEAR(regions.stature(), 1.756, 0.1);
   EXPECT_FALSE(find_regions(*donor().surface()).thigh_height);
+  // Hands at the height of the shins are no legs.
+  const LabelGrid &grid = regions.grid;
+  for (std::size_t v = 0; v < grid.labels.size(); ++v)
+    if (std::abs(grid.center(0, v / grid.size[0] % grid.size[1], 0)[1]) > 0.24)
+      ASSERT_FALSE(regions.is(v, Region::left_leg) ||
+                   regions.is(v, Region::right_leg));
+  EXPECT_LT(regions.arm_tip[0][2], 0.3);
 
   const BodyPointer person =
     insert_organs(filled(skin), donor(), allowing(0.1));

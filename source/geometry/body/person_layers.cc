@@ -210,29 +210,57 @@ std::vector<int> PersonLayers::find_two(const std::string &what,
   for (std::size_t i = 0; i < all.size(); ++i)
     if (all[i].voxels.size() > area(0.0006))
       found.push_back(i);
+  if (found.size() > 2)
+    found.erase(std::remove_if(
+                  found.begin(),
+                  found.end(),
+                  [&](const int patch) { return !stands(all[patch], layer); }),
+                found.end());
   if (found.size() == 1 &&
       all[found[0]].spread(grid_, 1) > 1.4 * all[found[0]].spread(grid_, 0))
     found.push_back(found[0]);
   if (found.size() != 2)
     throw InputError(
       std::to_string(found.size()) + " " + what + "(s) were found at " +
-      brief(100. * (layer - sole_) / n_layers_, 2) + " % of its height");
+      brief(100. * (layer - sole_) / n_layers_, 2) +
+      " % of its height: two sections there must go on down to the feet, apart "
+      "from arms and clothes");
   if (all[found[0]].y < all[found[1]].y)
     std::swap(found[0], found[1]);
   return found;
 }
 
 
-int PersonLayers::above(const Patch &below, const unsigned int layer) const
+int PersonLayers::next(const Patch &patch,
+                       const unsigned int layer,
+                       const bool is_up) const
 {
-  std::vector<unsigned int> shared(patches_[layer].size());
-  for (const std::size_t voxel : below.voxels)
+  const unsigned int there = is_up ? layer + 1 : layer - 1;
+  std::vector<unsigned int> shared(patches_[there].size());
+  for (const std::size_t voxel : patch.voxels)
   {
-    const int patch = patch_of_[voxel + layer_size()];
-    if (patch >= 0)
-      ++shared[patch];
+    const int other =
+      patch_of_[is_up ? voxel + layer_size() : voxel - layer_size()];
+    if (other >= 0)
+      ++shared[other];
   }
   const auto most = std::max_element(shared.begin(), shared.end());
   return most == shared.end() || *most == 0 ? -1 : most - shared.begin();
+}
+
+
+bool PersonLayers::stands(const Patch &patch, unsigned int layer) const
+{
+  // Feet need not be at the same height.
+  const unsigned int lowest = sole_ + std::lround(0.03 * n_layers_);
+  const Patch *here = &patch;
+  for (; layer > lowest; --layer)
+  {
+    const int below = next(*here, layer, false);
+    if (below < 0)
+      return false;
+    here = &patches_[layer - 1][below];
+  }
+  return true;
 }
 } // namespace contrecoup

@@ -42,7 +42,8 @@ void PersonLegs::label_halves(const Patch &patch, const double middle)
 
 
 /// Gives what is below the layer @p begin to the leg above it; to both,
-/// divided between them, where it is below both or none.
+/// divided between them, where it is below both or nothing. What is below
+/// something else, such as a hand beside a seat, belongs to no leg.
 void PersonLegs::label_feet(const unsigned int begin)
 {
   std::array<double, 2> places{{0., 0.}};
@@ -64,10 +65,17 @@ void PersonLegs::label_feet(const unsigned int begin)
     for (const Patch &patch : patches_[layer])
     {
       std::array<bool, 2> is_below{{false, false}};
+      bool is_below_others = false;
       for (const std::size_t voxel : patch.voxels)
+      {
+        const std::size_t above = voxel + layer_size();
         for (const unsigned int side : {0, 1})
-          if (is(voxel + layer_size(), leg_of(side)))
+          if (is(above, leg_of(side)))
             is_below[side] = true;
+        is_below_others = is_below_others || is_open(above);
+      }
+      if (is_below_others && !is_below[0] && !is_below[1])
+        continue;
       const double far = grid_.size[1] * grid_.spacing;
       const double middle = 0.5 * (places[0] + places[1]);
       label_halves(patch,
@@ -92,8 +100,8 @@ void PersonLegs::follow_legs()
   {
     label_halves(patches_[layer][left], -far);
     label_halves(patches_[layer][right], far);
-    left = above(patches_[layer][left], layer + 1);
-    right = above(patches_[layer][right], layer + 1);
+    left = next(patches_[layer][left], layer, true);
+    right = next(patches_[layer][right], layer, true);
     if (left < 0 || right < 0)
       throw InputError("a leg ends at " +
                        brief(100. * (layer - sole_) / n_layers_, 2) +
@@ -139,7 +147,7 @@ double PersonLegs::reach_of_legs() const
     const Patch &here = patches_[layer][patch];
     for (const std::size_t voxel : here.voxels)
       reach = std::max(reach, place_of(voxel)[0]);
-    patch = above(here, layer + 1);
+    patch = next(here, layer, true);
   }
   return reach;
 }

@@ -65,11 +65,13 @@ protected:
 
   dealii::Point<3> center(const std::vector<std::size_t> &voxels) const;
 
-  /// Index of the patch that shares most voxels with @p below; -1: none.
-  int above(const Patch &below, unsigned int layer) const;
+  /// Index of the patch above or below that shares most voxels with @p patch of
+  /// a layer; -1: none.
+  int next(const Patch &patch, unsigned int layer, bool is_up) const;
 
   /// Patches of the left and the right of two limbs in a layer: the same one
-  /// twice if they touch each other.
+  /// twice if they touch each other. Of more than two, those that go on down to
+  /// the feet, as hands beside a seat do not.
   /// @throws InputError for other numbers of limbs
   std::vector<int> find_two(const std::string &what, unsigned int layer) const;
 
@@ -87,6 +89,7 @@ private:
                unsigned int outer,
                unsigned int inner) const;
   void require_ankles() const;
+  bool stands(const Patch &patch, unsigned int layer) const;
 
   std::vector<bool> is_wall_; ///< by voxel
 };
