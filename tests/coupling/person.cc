@@ -37,8 +37,10 @@ ShapeBody box_with_landmarks()
 }
 
 
+/// @param turns whether the body is turned by the entries too
 Person person_by(const Lines &lines,
-                 const Point<3> &charge = Point<3>(3., 0., 1.))
+                 const Point<3> &charge = Point<3>(3., 0., 1.),
+                 const bool turns = false)
 {
   dealii::ParameterHandler prm;
   BodyDescription::declare_parameters(prm);
@@ -46,8 +48,9 @@ Person person_by(const Lines &lines,
   for (const std::string &line : lines)
     assignments.push_back(parse_override(line));
   apply_assignments(assignments, prm);
-  const ShapeBody body = box_with_landmarks();
-  return {prm, body, body.surface()->bounding_box(), 58., charge};
+  const Placement placement(
+    1., turns ? Placement::read_rotation(prm) : Tensor<1, 3>(), {});
+  return {prm, *box_with_landmarks().placed(placement), 58., charge};
 }
 } // namespace
 
@@ -115,13 +118,18 @@ TEST(Person, IsDescribedByStatureAndMass)
 
 
 // However the body is turned.
-TEST(Person, OfImagesIsAsLongAsTheBody)
+TEST(Person, OfImagesAndSurfacesIsAsLongAsTheBody)
 {
-  for (const char *rotation : {"0, 0, 0", "0, 30, 0", "20, -45, 10"})
-    EXPECT_NEAR(
-      person_by({"Kind=image", std::string("Rotation=") + rotation}).length(),
-      1.8,
-      1e-12);
+  for (const std::string kind : {"image", "surface"})
+    for (const std::string rotation :
+         {"0, 0, 0", "0, 30, 0", "90, 0, 25", "20, -45, 10"})
+      EXPECT_NEAR(person_by({"Kind=" + kind, "Rotation=" + rotation},
+                            Point<3>(3., 0., 1.),
+                            true)
+                    .length(),
+                  1.8,
+                  1e-12)
+        << kind << " " << rotation;
 }
 
 

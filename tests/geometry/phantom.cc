@@ -181,6 +181,38 @@ TEST(Phantom, LandmarksAreOnTheSkinWhereTheirNamesSay)
 }
 
 
+// However the phantom is turned.
+TEST(Phantom, StandsOnTheGroundWithItsBottom)
+{
+  for (const std::string rotation : {"0, 45, 0", "-90, 0, 0", "20, -130, 70"})
+  {
+    const auto surface =
+      describe({"Origin=bottom", "Rotation=" + rotation}).create()->surface();
+    const auto box = surface->bounding_box();
+    EXPECT_NEAR(box.lower_bound(2), 0., 1e-12);
+    EXPECT_NEAR(box.center()[0], 0., 1e-12);
+    // The voxels of the body span its box to within one.
+    constexpr double spacing = 0.005;
+    LabelGrid grid = make_grid(box, spacing);
+    ShapeBody(surface, {{{"", Tissue::none}, surface}}).fill(grid);
+    dealii::BoundingBox<3> filled({box.center(), box.center()});
+    for (unsigned int k = 0; k < grid.size[2]; ++k)
+      for (unsigned int j = 0; j < grid.size[1]; ++j)
+        for (unsigned int i = 0; i < grid.size[0]; ++i)
+          if (grid.at(i, j, k) != LabelGrid::outside)
+            filled.merge_with(dealii::BoundingBox<3>(
+              {grid.center(i, j, k), grid.center(i, j, k)}));
+    for (unsigned int d = 0; d < 3; ++d)
+    {
+      EXPECT_NEAR(filled.lower_bound(d), box.lower_bound(d), spacing)
+        << rotation;
+      EXPECT_NEAR(filled.upper_bound(d), box.upper_bound(d), spacing)
+        << rotation;
+    }
+  }
+}
+
+
 TEST(Phantom, SkinIsALayer)
 {
   const BodyPointer body = describe({"Phantom/Skin thickness=0.006"}).create();
@@ -198,6 +230,28 @@ TEST(Phantom, ImpossibleMenAreRefused)
     refusal({"Phantom/Stature=1.9", "Phantom/Mass=50"});
   EXPECT_NE(message.find("13.9 kg/m^2"), std::string::npos) << message;
   EXPECT_NE(message.find("61.4 to 144 kg"), std::string::npos) << message;
+}
+
+
+// An ellipsoid with half axes of 84, 68 and 60 mm below 14 mm of layers.
+TEST(SimpleBody, IsAsHighAsItIsTurned)
+{
+  const auto head = describe({"Kind=shape",
+                              "Shape/Shape=layered head",
+                              "Origin=bottom",
+                              "Rotation=0, 20, 90"})
+                      .create()
+                      ->surface();
+  const auto box = head->bounding_box();
+  const double sine = std::sin(M_PI / 9.), cosine = std::cos(M_PI / 9.);
+  EXPECT_NEAR(box.side_length(2),
+              2. * (std::hypot(0.084 * sine, 0.060 * cosine) + 0.014),
+              1e-12);
+  EXPECT_NEAR(box.side_length(1),
+              2. * (std::hypot(0.084 * cosine, 0.060 * sine) + 0.014),
+              1e-12);
+  EXPECT_NEAR(box.side_length(0), 0.164, 1e-12);
+  EXPECT_NEAR(box.lower_bound(2), 0., 1e-12);
 }
 
 

@@ -154,6 +154,62 @@ TEST(Shape, BoundingBoxHoldsTheShape)
 }
 
 
+TEST(Shape, ReachesAsFarAsItsFarthestPoint)
+{
+  const Tensor<1, 3> direction({0.48, -0.6, 0.64});
+  std::mt19937 generator(7);
+  std::uniform_real_distribution<double> unit(-1., 1.);
+  for (const Case &c : cases())
+  {
+    const double reach = c.shape->reach(direction);
+    double highest = std::numeric_limits<double>::lowest();
+    for (Point<3> top : samples(*c.shape, 100))
+    {
+      // Climbs within the shape, from several places, as it may have peaks.
+      for (double way = 0.1; way > 1e-5; way *= 0.99)
+      {
+        const Point<3> next =
+          top +
+          way * Point<3>(unit(generator), unit(generator), unit(generator));
+        if (c.shape->value(next) <= 0. &&
+            (c.shape->value(top) > 0. || next * direction > top * direction))
+          top = next;
+      }
+      if (c.shape->value(top) <= 0.)
+        highest = std::max(highest, top * direction);
+    }
+    const auto [lower, upper] = c.shape->bounding_box().get_boundary_points();
+    EXPECT_GE(reach, highest - 1e-12) << c.name;
+    EXPECT_LE(reach, highest + 2e-4 * lower.distance(upper)) << c.name;
+  }
+}
+
+
+// Not that of the turned box, which is up to 1.7 times as wide.
+TEST(Shape, OwnBoxIsThatOfTheTurnedShape)
+{
+  const Tensor<1, 3> semi_axes({0.3, 0.2, 0.9});
+  const auto ellipsoid =
+    std::make_shared<Ellipsoid>(Point<3>(1., 2., 3.), semi_axes);
+  const Placement placement(
+    1.5, Point<3>(0.4, -0.7, 1.1), Point<3>(0.1, 0.2, 0.3));
+  const auto box =
+    PlacedShape::in_own_box(ellipsoid, placement)->bounding_box();
+  const auto loose = PlacedShape(ellipsoid, placement).bounding_box();
+  EXPECT_LT(box.center().distance(placement.apply(Point<3>(1., 2., 3.))),
+            1e-12);
+  for (unsigned int d = 0; d < 3; ++d)
+  {
+    double square = 0.;
+    for (unsigned int e = 0; e < 3; ++e)
+      square += std::pow(
+        placement.rotate(Point<3>::unit_vector(e))[d] * semi_axes[e], 2);
+    EXPECT_NEAR(box.side_length(d), 3. * std::sqrt(square), 1e-12);
+    EXPECT_GT(loose.side_length(d), 1.1 * box.side_length(d));
+  }
+}
+
+
 TEST(Shape, KnownDistances)
 {
   const Ellipsoid ellipsoid({0., 0., 0.}, Tensor<1, 3>({0.3, 0.2, 0.1}));

@@ -73,23 +73,11 @@ namespace
     };
     return {axis(0), axis(1), axis(2)};
   }
-
-
-  /// Extent of a box along a direction, as far as its sides tell [m].
-  double extent(const dealii::BoundingBox<3> &box, const Tensor<1, 3> &up)
-  {
-    // Exact where the direction is that of an edge of the box.
-    double length = 0.;
-    for (unsigned int d = 0; d < 3; ++d)
-      length = std::max(length, std::abs(up[d]) * box.side_length(d));
-    return length;
-  }
 } // namespace
 
 
 Person::Person(dealii::ParameterHandler &prm,
                const Body &body,
-               const dealii::BoundingBox<3> &unturned,
                const double mass,
                const Point<3> &charge)
   : kind_(prm.get("Kind"))
@@ -102,11 +90,10 @@ Person::Person(dealii::ParameterHandler &prm,
   }
   else if (kind_ == "phantom" || kind_ == "image")
     axes_ = axes_by_rotation(Placement::read_rotation(prm));
-  const auto box = body.surface()->bounding_box();
-  to_charge_ = charge - box.center();
-  const Placement rotation(1., Placement::read_rotation(prm), {});
-  length_ = axes_ ? extent(unturned, rotation.pull_back(Point<3>(axes_->up)))
-                  : box.side_length(2);
+  const ShapePointer surface = body.surface();
+  to_charge_ = charge - surface->bounding_box().center();
+  const Tensor<1, 3> up = axes_ ? axes_->up : Point<3>::unit_vector(2);
+  length_ = surface->reach(up) + surface->reach(-up);
   if (kind_ == "phantom")
   {
     length_ = read_double(prm, "Scale");

@@ -135,8 +135,7 @@ void PlannedScene::find_body(dealii::ParameterHandler &prm)
     if (body_mass_ == 0.)
       throw InputError("no element of " + brief(1e3 * element_size, 3) +
                        " mm has its centre in the body");
-    person_.emplace(
-      prm, *body_, layout_->unturned, body_mass_, layout_->charge);
+    person_.emplace(prm, *body_, body_mass_, layout_->charge);
     if (parameters_.wants_injury())
       tissue_places_ = find_tissue_places(
         *body_, layout_->charge, person_->axes(), element_size);

@@ -39,7 +39,7 @@ BodyPointer ShapeBody::placed(const Placement &placement) const
     part_shapes.push_back(
       {parts_[i], std::make_shared<PlacedShape>(shapes_[i], placement)});
   const auto body = std::make_shared<ShapeBody>(
-    std::make_shared<PlacedShape>(surface_, placement), part_shapes);
+    PlacedShape::in_own_box(surface_, placement), part_shapes);
   body->set_remarks(remarks());
   std::vector<Landmark> moved = landmarks();
   for (Landmark &landmark : moved)

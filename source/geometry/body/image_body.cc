@@ -172,7 +172,7 @@ BodyPointer ImageBody::placed(const Placement &placement) const
 {
   const auto body = std::make_shared<ImageBody>(*this);
   body->placements_.push_back(placement);
-  body->surface_ = std::make_shared<PlacedShape>(surface_, placement);
+  body->surface_ = PlacedShape::in_own_box(surface_, placement);
   return body;
 }
 

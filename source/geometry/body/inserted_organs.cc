@@ -365,8 +365,8 @@ BodyPointer insert_organs(const Body &recipient,
   const Placement to_standing = posture.to_standing();
   const bool stays = posture.is_standing || !insertion.stands_up;
   const Placement back = stays ? posture.from_standing() : Placement();
-  const auto standing =
-    std::make_shared<PlacedShape>(recipient.surface(), to_standing);
+  const ShapePointer standing =
+    PlacedShape::in_own_box(recipient.surface(), to_standing);
   const ShapePointer skin = stays ? recipient.surface() : standing;
 
   const PersonRegions donor_regions = find_regions(*donor.surface());

@@ -69,6 +69,16 @@ BoundingBox<3> Union::bounding_box() const
   return box;
 }
 
+double Union::reach(const Tensor<1, 3> &direction) const
+{
+  if (blend_ > 0.)
+    return Shape::reach(direction);
+  double farthest = std::numeric_limits<double>::lowest();
+  for (const ShapePointer &part : parts_)
+    farthest = std::max(farthest, part->reach(direction));
+  return farthest;
+}
+
 
 Difference::Difference(ShapePointer shape, ShapePointer removed)
   : shape_(std::move(shape))
@@ -147,11 +157,38 @@ BoundingBox<3> Offset::bounding_box() const
   return box;
 }
 
+double Offset::reach(const Tensor<1, 3> &direction) const
+{
+  // Inwards, what is thin vanishes.
+  return growth_ < 0. ? Shape::reach(direction)
+                      : shape_->reach(direction) + growth_;
+}
+
 
 PlacedShape::PlacedShape(ShapePointer shape, const Placement &placement)
   : shape_(std::move(shape))
   , placement_(placement)
+  , box_(placement.apply(shape_->bounding_box()))
 {}
+
+ShapePointer PlacedShape::in_own_box(ShapePointer shape,
+                                     const Placement &placement)
+{
+  const auto placed =
+    std::make_shared<PlacedShape>(std::move(shape), placement);
+  if (placement.turns())
+  {
+    Point<3> lower, upper;
+    for (unsigned int d = 0; d < 3; ++d)
+    {
+      const Tensor<1, 3> axis = Point<3>::unit_vector(d);
+      lower[d] = -placed->reach(-axis);
+      upper[d] = placed->reach(axis);
+    }
+    placed->box_ = BoundingBox<3>({lower, upper});
+  }
+  return placed;
+}
 
 double PlacedShape::value(const Point<3> &point) const
 {
@@ -165,6 +202,12 @@ Tensor<1, 3> PlacedShape::gradient(const Point<3> &point) const
 
 BoundingBox<3> PlacedShape::bounding_box() const
 {
-  return placement_.apply(shape_->bounding_box());
+  return box_;
+}
+
+double PlacedShape::reach(const Tensor<1, 3> &direction) const
+{
+  return placement_.scale() * shape_->reach(placement_.rotate_back(direction)) +
+         placement_.shift() * direction;
 }
 } // namespace contrecoup

@@ -99,10 +99,13 @@ Point<3> Placement::pull_back(const Point<3> &point) const
   return Point<3>(transpose(rotation_) * (point - shift_) / scale_);
 }
 
+bool Placement::turns() const
+{
+  return rotation_ != Placement().rotation_;
+}
+
 bool Placement::is_identity() const
 {
-  Placement identity;
-  return scale_ == 1. && rotation_ == identity.rotation_ &&
-         shift_ == identity.shift_;
+  return scale_ == 1. && !turns() && shift_ == Tensor<1, 3>();
 }
 } // namespace contrecoup

@@ -52,6 +52,11 @@ BoundingBox<3> Sphere::bounding_box() const
   return box_around(center_, same_in_all(radius_));
 }
 
+double Sphere::reach(const Tensor<1, 3> &direction) const
+{
+  return center_ * direction + radius_;
+}
+
 
 Ellipsoid::Ellipsoid(const Point<3> &center, const Tensor<1, 3> &semi_axes)
   : center_(center)
@@ -124,6 +129,14 @@ BoundingBox<3> Ellipsoid::bounding_box() const
   return box_around(center_, semi_axes_);
 }
 
+double Ellipsoid::reach(const Tensor<1, 3> &direction) const
+{
+  double square = 0.;
+  for (unsigned int d = 0; d < 3; ++d)
+    square += std::pow(semi_axes_[d] * direction[d], 2);
+  return center_ * direction + std::sqrt(square);
+}
+
 
 RoundedBox::RoundedBox(const Point<3> &center,
                        const Tensor<1, 3> &half_widths,
@@ -152,6 +165,14 @@ BoundingBox<3> RoundedBox::bounding_box() const
   return box_around(center_, half_widths_);
 }
 
+double RoundedBox::reach(const Tensor<1, 3> &direction) const
+{
+  double result = center_ * direction + rounding_;
+  for (unsigned int d = 0; d < 3; ++d)
+    result += (half_widths_[d] - rounding_) * std::abs(direction[d]);
+  return result;
+}
+
 
 Cylinder::Cylinder(const Point<3> &first,
                    const Point<3> &second,
@@ -174,11 +195,17 @@ double Cylinder::value(const Point<3> &point) const
 
 BoundingBox<3> Cylinder::bounding_box() const
 {
-  Tensor<1, 3> reach;
+  Tensor<1, 3> half_widths;
   for (unsigned int d = 0; d < 3; ++d)
-    reach[d] = half_length_ * std::abs(axis_[d]) +
-               radius_ * std::sqrt(std::max(0., 1. - axis_[d] * axis_[d]));
-  return box_around(middle_, reach);
+    half_widths[d] = reach(Point<3>::unit_vector(d)) - middle_[d];
+  return box_around(middle_, half_widths);
+}
+
+double Cylinder::reach(const Tensor<1, 3> &direction) const
+{
+  const double cosine = axis_ * direction;
+  return middle_ * direction + half_length_ * std::abs(cosine) +
+         radius_ * std::sqrt(std::max(0., 1. - cosine * cosine));
 }
 
 
@@ -267,6 +294,19 @@ Tensor<1, 3> Sweep::gradient(const Point<3> &point) const
 BoundingBox<3> Sweep::bounding_box() const
 {
   return box_;
+}
+
+double Sweep::reach(const Tensor<1, 3> &direction) const
+{
+  double farthest = std::numeric_limits<double>::lowest();
+  for (const Segment &segment : segments_)
+  {
+    const double begin = segment.begin * direction;
+    const double end = begin + segment.length * (segment.axis * direction);
+    farthest = std::max(
+      {farthest, begin + segment.radius_begin, end + segment.radius_end});
+  }
+  return farthest;
 }
 
 

@@ -3,6 +3,10 @@
 
 #include <contrecoup/geometry/shape/shape.h>
 
+#include <limits>
+#include <queue>
+#include <utility>
+
 namespace contrecoup
 {
 using dealii::BoundingBox;
@@ -23,6 +27,51 @@ Tensor<1, 3> Shape::gradient(const Point<3> &point) const
     result[d] = (value(behind) - value(before)) / (2. * step);
   }
   return result;
+}
+
+double Shape::reach(const Tensor<1, 3> &direction) const
+{
+  constexpr double accuracy = 1e-4; // of the diagonal
+  constexpr unsigned int most_boxes = 20000;
+  using Candidate = std::pair<double, BoundingBox<3>>;
+  const auto candidate = [&](const BoundingBox<3> &box) {
+    double farthest = box.center() * direction;
+    for (unsigned int d = 0; d < 3; ++d)
+      farthest += 0.5 * box.side_length(d) * std::abs(direction[d]);
+    return Candidate(farthest, box);
+  };
+  const auto is_nearer = [](const Candidate &a, const Candidate &b) {
+    return a.first < b.first;
+  };
+  // Boxes that may hold a part of the shape, those that reach farthest first.
+  std::priority_queue<Candidate, std::vector<Candidate>, decltype(is_nearer)>
+    open(is_nearer);
+  open.push(candidate(bounding_box()));
+  const double whole = open.top().first;
+  const auto diagonal = [](const BoundingBox<3> &box) {
+    const auto [lower, upper] = box.get_boundary_points();
+    return lower.distance(upper);
+  };
+  const double tolerance = accuracy * diagonal(open.top().second);
+  double found = std::numeric_limits<double>::lowest();
+  for (unsigned int i = 0; i < most_boxes && !open.empty(); ++i)
+  {
+    const auto [farthest, box] = open.top();
+    if (farthest <= found + tolerance)
+      return farthest;
+    open.pop();
+    const Point<3> center = box.center();
+    const double here = value(center);
+    // The ball of this radius lies within the shape, or outside.
+    if (here <= 0.)
+      found = std::max(found, center * direction - here);
+    if (here > 0.5 * diagonal(box))
+      continue;
+    for (unsigned int v = 0; v < 8; ++v)
+      open.push(candidate(
+        BoundingBox<3>(std::vector<Point<3>>{center, box.vertex(v)})));
+  }
+  return open.empty() ? whole : open.top().first;
 }
 
 Tensor<1, 3> Shape::normal(const Point<3> &point) const

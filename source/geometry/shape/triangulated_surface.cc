@@ -253,4 +253,13 @@ dealii::BoundingBox<3> TriangulatedSurface::bounding_box() const
 {
   return dealii::BoundingBox<3>({nodes_[0].lower, nodes_[0].upper});
 }
+
+double TriangulatedSurface::reach(const Tensor<1, 3> &direction) const
+{
+  double farthest = std::numeric_limits<double>::lowest();
+  for (const auto &triangle : mesh_.triangles)
+    for (const std::uint32_t vertex : triangle)
+      farthest = std::max(farthest, mesh_.vertices[vertex] * direction);
+  return farthest;
+}
 } // namespace contrecoup

@@ -27,13 +27,11 @@ public:
   /**
    * @param prm entries of the scene, in its section "Body"
    * @param body the same body
-   * @param unturned its box after scaling, before rotation and shift
    * @param mass of the body [kg]
    * @param charge centre of the charge [m]
    */
   Person(dealii::ParameterHandler &prm,
          const Body &body,
-         const dealii::BoundingBox<3> &unturned,
          double mass,
          const dealii::Point<3> &charge);
 

@@ -25,6 +25,7 @@ public:
   double value(const dealii::Point<3> &point) const override;
   dealii::Tensor<1, 3> gradient(const dealii::Point<3> &point) const override;
   dealii::BoundingBox<3> bounding_box() const override;
+  double reach(const dealii::Tensor<1, 3> &direction) const override;
 
 private:
   std::vector<ShapePointer> parts_;
@@ -68,6 +69,7 @@ public:
   double value(const dealii::Point<3> &point) const override;
   dealii::Tensor<1, 3> gradient(const dealii::Point<3> &point) const override;
   dealii::BoundingBox<3> bounding_box() const override;
+  double reach(const dealii::Tensor<1, 3> &direction) const override;
 
 private:
   ShapePointer shape_;
@@ -78,13 +80,22 @@ private:
 class PlacedShape : public Shape
 {
 public:
+  /// A shape whose box is that of the turned box.
   PlacedShape(ShapePointer shape, const Placement &placement);
+
+  /// A shape whose box is that of the turned shape itself, which takes a search
+  /// for some shapes, see reach().
+  static ShapePointer in_own_box(ShapePointer shape,
+                                 const Placement &placement);
+
   double value(const dealii::Point<3> &point) const override;
   dealii::Tensor<1, 3> gradient(const dealii::Point<3> &point) const override;
   dealii::BoundingBox<3> bounding_box() const override;
+  double reach(const dealii::Tensor<1, 3> &direction) const override;
 
 private:
   ShapePointer shape_;
   Placement placement_;
+  dealii::BoundingBox<3> box_;
 };
 } // namespace contrecoup

@@ -57,6 +57,12 @@ public:
     return rotation_ * direction;
   }
 
+  /// Inverse of rotate().
+  dealii::Tensor<1, 3> rotate_back(const dealii::Tensor<1, 3> &direction) const
+  {
+    return transpose(rotation_) * direction;
+  }
+
   double scale() const
   {
     return scale_;
@@ -66,6 +72,9 @@ public:
   {
     return shift_;
   }
+
+  /// Whether rotate() is not the identity.
+  bool turns() const;
 
   /// Whether apply() is the identity.
   bool is_identity() const;

@@ -19,6 +19,7 @@ public:
   double value(const dealii::Point<3> &point) const override;
   dealii::Tensor<1, 3> gradient(const dealii::Point<3> &point) const override;
   dealii::BoundingBox<3> bounding_box() const override;
+  double reach(const dealii::Tensor<1, 3> &direction) const override;
 
 private:
   dealii::Point<3> center_;
@@ -40,6 +41,7 @@ public:
   double value(const dealii::Point<3> &point) const override;
   dealii::Tensor<1, 3> gradient(const dealii::Point<3> &point) const override;
   dealii::BoundingBox<3> bounding_box() const override;
+  double reach(const dealii::Tensor<1, 3> &direction) const override;
 
 private:
   /// Nearest point of the surface, relative to the centre.
@@ -61,6 +63,7 @@ public:
              double rounding = 0.);
   double value(const dealii::Point<3> &point) const override;
   dealii::BoundingBox<3> bounding_box() const override;
+  double reach(const dealii::Tensor<1, 3> &direction) const override;
 
 private:
   dealii::Point<3> center_;
@@ -79,6 +82,7 @@ public:
            double radius);
   double value(const dealii::Point<3> &point) const override;
   dealii::BoundingBox<3> bounding_box() const override;
+  double reach(const dealii::Tensor<1, 3> &direction) const override;
 
 private:
   dealii::Point<3> middle_;
@@ -106,6 +110,7 @@ public:
   double value(const dealii::Point<3> &point) const override;
   dealii::Tensor<1, 3> gradient(const dealii::Point<3> &point) const override;
   dealii::BoundingBox<3> bounding_box() const override;
+  double reach(const dealii::Tensor<1, 3> &direction) const override;
 
 private:
   /// The convex hull of two balls, with precomputed geometry.

@@ -41,6 +41,12 @@ public:
   /// Axis-aligned bounding box [m].
   virtual dealii::BoundingBox<3> bounding_box() const = 0;
 
+  /// Largest coordinate of a point of the shape along @p direction, of length 1
+  /// [m]. By a search among boxes unless overridden: never too small, and too
+  /// large by at most 1e-4 of the diagonal of bounding_box(), or by little more
+  /// where the search would take long.
+  virtual double reach(const dealii::Tensor<1, 3> &direction) const;
+
   /// Outward unit normal of the level set of value() at a point.
   dealii::Tensor<1, 3> normal(const dealii::Point<3> &point) const;
 

@@ -29,6 +29,7 @@ public:
   double value(const dealii::Point<3> &point) const override;
   dealii::Tensor<1, 3> gradient(const dealii::Point<3> &point) const override;
   dealii::BoundingBox<3> bounding_box() const override;
+  double reach(const dealii::Tensor<1, 3> &direction) const override;
 
   /// Winding number of the surface around a point: 1 inside and 0 outside of a
   /// closed, outward oriented surface.
