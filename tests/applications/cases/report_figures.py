@@ -461,13 +461,13 @@ def _without_tables(text, files):
     """The answer without what it tells of the tables' probabilities, which are
     those of scene.json."""
     answer = files.scene.get("tables", {}).get("answer")
-    told = re.search(r", by the tables (.*?)(?:| to (.*?)) ?%(?=\))", text)
+    told = re.search(r"[,;] by the tables ([^()]*?)(?:| to ([^()]*?)) ?%(?=\))", text)
     if told and told[2]:
         for shown, place in zip(told.groups(), ("in_the_open",
                                                 "before_a_wall")):
             require_same(shown + " %", answer[place]["eardrum_rupture"],
                          "eardrums by the tables")
-    text = re.sub(r", by the tables .*?%(?=\))", "", text)
+    text = re.sub(r"[,;] by the tables [^()]*?%(?=\))", "", text)
     for row in files.scene.get("table_comparison", []):
         for match in re.findall(r"eardrum in the open is (.*?), where this "
                                 r"run has (.*?)(?=\.\n)", text) * (row["name"]
@@ -491,7 +491,8 @@ def _without_chances(text, chances, rows, files):
     the table."""
     count = 0
     shown = re.compile(r"((?:less than |more than )?[\d.]+ %)"
-                       r"(?:, by the numerics ([^);,]*%))?(?=[);, ])")
+                       r"(?:, by the numerics ([^);,]*%))?(?=[);, ])"
+                       "(?! lethality load)")
     sentence, _, rest = text.partition("\n")
     for match in shown.finditer(sentence):
         fits = False
