@@ -290,6 +290,27 @@ TEST(StagedSimulation, HandsOverAtAGivenTimeAndAtOnce)
 }
 
 
+TEST(StagedSimulation, RefusesAHandOverAfterTheEnd)
+{
+  EXPECT_THROW(make<3>(octant() + Lines{"First stage/Hand over at=time",
+                                        "First stage/Time=1"}),
+               InputError);
+}
+
+
+// As a forecast asks for it of a run that has ended in its first stage.
+TEST(StagedSimulation, HasAPlanAfterItsTotals)
+{
+  const auto simulation = make<3>(octant() + Lines{"Rigid body/Kind=body",
+                                                   "Body/Kind=shape",
+                                                   "Body/Shape/Size=0.1",
+                                                   "Body/Shift=0.7, 0.7, 0.5"});
+  simulation->setup();
+  EXPECT_GT(row(simulation->history()).at("mass"), 0.);
+  EXPECT_FALSE(simulation->plan().empty());
+}
+
+
 namespace
 {
 /// A line of gauges from beside a ball of hot products outwards.

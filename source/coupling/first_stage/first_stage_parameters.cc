@@ -163,9 +163,8 @@ namespace
         meet(padded(read_list(scene, "Center")));
       }
     if (!centre)
-      throw InputError("First stage: the scene has no charge; subsections "
-                       "\"Charges/Charge <name>\" or Initial state/Kind = "
-                       "regions give one");
+      throw InputError("First stage: the scene has no charge; \"Charges/Charge "
+                       "<name>\" or Initial state/Kind = regions give one");
     dealii::Point<dim> result;
     for (unsigned int d = 0; d < dim; ++d)
       result[d] = (*centre)[d];
@@ -263,6 +262,15 @@ void FirstStageParameters::parse_parameters(ParameterHandler &prm)
   criterion = prm.get("Hand over at");
   time = read_double(prm, "Time");
   radius = read_double(prm, "Radius");
+}
+
+
+std::string FirstStageParameters::late_hand_over(const double end_time) const
+{
+  return kind == "none" || criterion != "time" || time < end_time
+           ? ""
+           : "First stage/Time = " + brief(time) +
+               " s is not before Time/End time = " + brief(end_time) + " s";
 }
 
 

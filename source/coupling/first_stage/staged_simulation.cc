@@ -67,6 +67,9 @@ void StagedSimulation<dim>::parse_parameters(ParameterHandler &prm)
   declare(second);
   derive_second_stage(prm, second);
   scene_.parse_parameters(second);
+  const std::string late = parameters_.late_hand_over(scene_.scene().end_time);
+  if (!late.empty())
+    throw InputError(late);
   auto places = scene_.probe_set().places();
   const auto &rasters = scene_.probe_rasters().places();
   places.insert(places.end(), rasters.begin(), rasters.end());

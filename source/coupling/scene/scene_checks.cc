@@ -5,6 +5,7 @@
 #include <contrecoup/base/system/coordinates.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
+#include <contrecoup/coupling/first_stage/first_stage_parameters.h>
 #include <contrecoup/coupling/scene/scene_checks.h>
 
 #include <algorithm>
@@ -174,6 +175,13 @@ void check_blast(const PlannedScene &scene, const TaskText &blast)
     throw InputError(blast.words("Time/End time") + " = " + brief(end) +
                      " s: the blast reaches the body at " + brief(arrival) +
                      " s only");
+  FirstStageParameters first_stage;
+  first_stage.kind = blast.values.at("First stage/Kind");
+  first_stage.criterion = blast.values.at("First stage/Hand over at");
+  first_stage.time = std::stod(blast.values.at("First stage/Time"));
+  const std::string late = first_stage.late_hand_over(end);
+  if (!late.empty())
+    throw InputError(blast.words(late));
   const dealii::BoundingBox<3> domain = domain_of(blast);
   check_domain(scene, domain);
   check_probes(scene, blast, domain);

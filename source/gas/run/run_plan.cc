@@ -143,7 +143,9 @@ double RunPlan<dim>::non_ideal_fraction() const
 {
   const GasMaterial &material = core_.scene().material;
   const LeafLayout &layout = core_.scene().layout;
-  if (!material.has_products())
+  // A scene has an octree, but no state, until its first stage hands over.
+  if (!material.has_products() ||
+      core_.field().layout().n_components != layout.n_components)
     return std::numeric_limits<double>::quiet_NaN();
   // Smaller mass fractions are traces, at the pressure of the surrounding air.
   constexpr double least_products = 0.5;

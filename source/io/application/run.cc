@@ -116,8 +116,7 @@ namespace io
 
   void Run::complete_plan()
   {
-    // A scene has a plan of its own.
-    if (description_.on_cost_estimate || !description_.coarsen ||
+    if (!description_.coarsen ||
         std::none_of(plan_.begin(), plan_.end(), [](const Assumption &item) {
           return std::isnan(item.value) && std::isfinite(item.limit);
         }))

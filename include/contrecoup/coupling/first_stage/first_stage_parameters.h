@@ -27,6 +27,10 @@ public:
   /// @throws InputError for entries that cannot be combined.
   void parse_parameters(ParameterHandler &prm);
 
+  /// What is wrong with a hand-over at a time for a run until @p end_time [s];
+  /// empty: nothing.
+  std::string late_hand_over(const double end_time) const;
+
   std::string kind = "none"; ///< none, spherical, axisymmetric
   double cell_size = 0.001;  ///< edge of the smallest subcells [m]
   unsigned int levels = 3;   ///< refinement levels, if axisymmetric

@@ -10,9 +10,9 @@ namespace contrecoup::coupling
 {
 /**
  * Checks entries of the blast that the user wrote against the scene: the domain
- * must hold body and charge, the run must last until the front is at the body,
- * probes must be in the air, gauges within their radius and two cells of the
- * skin.
+ * must hold body and charge, the run must last until the front is at the body
+ * and beyond the hand-over of its first stage, probes must be in the air,
+ * gauges within their radius and two cells of the skin.
  * @throws InputError that names the entry and what is allowed
  */
 void check_blast(const PlannedScene &scene, const TaskText &blast);
