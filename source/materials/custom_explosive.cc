@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/materials/custom_explosive.h>
 #include <contrecoup/materials/jwl_check.h>
@@ -187,5 +188,23 @@ Explosive read_explosive(dealii::ParameterHandler &prm)
   CustomExplosive custom;
   custom.parse_parameters(prm, "Material/Custom explosive");
   return custom.explosive;
+}
+
+
+void check_afterburn(const Explosive &explosive,
+                     const double energy,
+                     const std::string &entry)
+{
+  constexpr double least = 1e4;
+  const double most = explosive.afterburn.largest;
+  if (energy == 0. || energy == explosive.afterburn.energy ||
+      (energy >= least && energy <= most))
+    return;
+  throw InputError(entry + " = " + brief(energy) + " J/kg: the products of " +
+                   explosive.name + " release at most " + brief(most) +
+                   " J/kg when all of them burn in air; allowed: 0 for none" +
+                   (most < least ? ""
+                                 : ", or a number from " + brief(least) +
+                                     " to " + brief(most)));
 }
 } // namespace contrecoup

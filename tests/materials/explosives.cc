@@ -216,6 +216,20 @@ TEST(CustomExplosive, HasAnEquivalenceWithoutJumps)
   }
 }
 
+TEST(Explosives, AreCheckedForTheirAfterburn)
+{
+  const Explosive tnt = find_explosive("tnt"), anfo = find_explosive("anfo");
+  for (const double energy : {0., 1e4, 3.5e6, tnt.afterburn.largest})
+    EXPECT_NO_THROW(check_afterburn(tnt, energy, "Energy"));
+  for (const double energy : {2., 9e3, 1.001 * tnt.afterburn.largest})
+    EXPECT_THROW(check_afterburn(tnt, energy, "Energy"), InputError);
+  EXPECT_NO_THROW(check_afterburn(anfo, 0., "Energy"));
+  EXPECT_THROW(check_afterburn(anfo, 3.5e6, "Energy"), InputError);
+  for (const Explosive &explosive : explosive_library())
+    EXPECT_NO_THROW(
+      check_afterburn(explosive, explosive.afterburn.energy, "Energy"));
+}
+
 TEST(CustomExplosive, TakesTheEquivalenceFromItsEnergy)
 {
   const CustomExplosive weak =

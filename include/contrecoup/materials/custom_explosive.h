@@ -51,4 +51,15 @@ struct CustomExplosive
 /// library or that of "Custom explosive" there.
 /// @throws InputError as CustomExplosive::parse_parameters()
 Explosive read_explosive(dealii::ParameterHandler &prm);
+
+/**
+ * Checks that the products of @p explosive can release @p energy [J/kg] by
+ * afterburn: none, the usual energy, or up to complete combustion but no less
+ * than any fuel has, as numbers in MJ/kg are.
+ * @param entry of this energy, for messages
+ * @throws InputError for another energy
+ */
+void check_afterburn(const Explosive &explosive,
+                     double energy,
+                     const std::string &entry);
 } // namespace contrecoup

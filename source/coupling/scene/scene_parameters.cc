@@ -155,16 +155,12 @@ namespace
     if (text == usual_afterburn)
       return {};
     const dealii::Patterns::Double allowed(0., bounds::specific_energy);
-    const double energy =
-      allowed.match(text) ? dealii::Utilities::string_to_double(text) : -1.;
-    // Less than any fuel has: numbers in MJ/kg are below.
-    constexpr double least = 1e4;
-    if (energy != 0. && energy < least)
+    if (!allowed.match(text))
       throw InputError("entry \"Charge/Afterburn energy\" cannot be \"" + text +
                        "\"; allowed: " + usual_afterburn +
-                       ", 0 for none, or a number from " + brief(least) +
-                       " to " + brief(bounds::specific_energy) + " [J/kg]");
-    return energy;
+                       ", or a number from 0 to " +
+                       brief(bounds::specific_energy) + " [J/kg]");
+    return dealii::Utilities::string_to_double(text);
   }
 
 
@@ -397,11 +393,8 @@ void SceneParameters::parse_charge(ParameterHandler &prm)
   parse_explosive(prm);
   mass = read_double(prm, "Mass");
   const std::optional<double> energy = read_afterburn(prm);
-  if (energy && *energy > explosive.afterburn.largest)
-    throw InputError("Charge/Afterburn energy = " + brief(*energy) +
-                     " J/kg: the products of " + explosive.name +
-                     " release at most " + brief(explosive.afterburn.largest) +
-                     " J/kg when all of them burn in air");
+  if (energy)
+    check_afterburn(explosive, *energy, "Charge/Afterburn energy");
   has_usual_afterburn = !energy;
   afterburn = energy.value_or(explosive.afterburn.energy);
   distance = read_double(prm, "Distance");

@@ -38,6 +38,22 @@ namespace
     }
     return false;
   }
+
+
+  /// @throws InputError for afterburn that the explosive cannot have
+  void check_afterburn_of(ParameterHandler &prm, const GasMaterial &material)
+  {
+    Afterburn afterburn;
+    {
+      const Section section(prm, "Charges");
+      afterburn.parse_parameters(prm);
+    }
+    if (!afterburn.active() || !material.has_products())
+      return;
+    const Section section(prm, "Material");
+    check_afterburn(
+      read_explosive(prm), afterburn.energy_left(), "Charges/Afterburn/Energy");
+  }
 } // namespace
 
 
@@ -75,6 +91,7 @@ void ChargeSet<dim>::parse_parameters(ParameterHandler &prm,
   material_ = material;
   charges_.clear();
   names_ = item_names(prm, "Charges/Charge");
+  check_afterburn_of(prm, material);
   if (names_.empty())
     return;
   if (!(material.reference_density() > 0.))
