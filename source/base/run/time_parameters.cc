@@ -20,10 +20,10 @@ namespace
     declare_double(prm,
                    "End time",
                    "1",
-                   0.,
+                   1e-15,
                    bounds::time,
                    "s",
-                   "Simulated time at the end.");
+                   "Simulated time at the end, above 0.");
     declare_double(prm,
                    "Largest step",
                    "0",

@@ -58,6 +58,11 @@ void GasScene<dim>::parse_parameters(ParameterHandler &prm)
   {
     const Section section(prm, "Time");
     end_time = read_double(prm, "End time");
+    if (end_time <= initial_state.time())
+      throw InputError("Time/End time = " + brief(end_time) +
+                       " s: the run begins with the profile of " +
+                       brief(initial_state.time()) +
+                       " s in Initial state/Profile/File");
   }
   if (!body.is_required())
     return;
