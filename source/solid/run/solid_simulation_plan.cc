@@ -23,8 +23,8 @@ namespace
   /// Memory per element with its nodes and a part of the mesh [bytes].
   constexpr double typical_memory = 900.;
 
-  /// Number of elements up to which --check builds the mesh to find what its
-  /// entries select.
+  /// Number of elements up to which --check builds the mesh, to find what its
+  /// entries select, and sets the run up.
   constexpr double cheap_mesh = 1e5;
 
   /// Rotation of which small strain makes a strain of 1.25e-3 [rad].
@@ -81,6 +81,11 @@ void SolidSimulation<Real>::check_selections()
 template <typename Real>
 std::vector<Assumption> SolidSimulation<Real>::plan()
 {
+  // With --check nothing is set up so far: what a run refuses and warns of at
+  // its start is found here.
+  if (body_.mesh().n_global_nodes == 0 &&
+      mesh_description_.estimate_elements() <= cheap_mesh)
+    setup();
   std::vector<Assumption> items;
   for (const Tissue tissue : materials_.own())
     items.push_back({tissue_column("own", tissue),
