@@ -219,8 +219,8 @@ def check_injury(page, files):
     history have, which are of the same steps."""
     rows = {row["measure"]: row for row in page.table("Injury").records()}
     titles = dict(TITLES, injury_pressure_roughness=(
-        "oscillation of the brain pressure between neighbouring elements over "
-        "its averages"))
+        "oscillation of the brain pressure between neighbours over its "
+        "averages"))
     listed = {name: value for name, value in files.injury.items()
               if "_ais" not in name}
     require(sorted(rows) == sorted(titles[name] for name in listed),

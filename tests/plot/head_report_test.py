@@ -242,6 +242,62 @@ class WarningsTest(unittest.TestCase):
         self.assertIn("MPM: layers: &lt;2 cells", words)
 
 
+class ParticlesTest(unittest.TestCase):
+    """What only a run of particles has, as a report says it."""
+
+    @staticmethod
+    def run_of(force="0", **parameters):
+        """Of 10 J at the start: 2 J given back beyond what was stored, 1 J of
+        planes besides friction."""
+        history = {"kinetic_energy": np.array([10., 5.]),
+                   "internal_energy": np.array([0., -1.]),
+                   "stored_energy": np.array([0., 1.]),
+                   "external_work": np.array([0., 0.5]),
+                   "friction_work": np.array([0., -0.5]),
+                   "transfer_loss": np.array([0., 6.]),
+                   "contact_loss": np.array([0., 0.5]),
+                   "energy_residual": np.zeros(2), "time": np.array([0., 1.])}
+        return types.SimpleNamespace(
+            history=history, planes=[], parameters=parameters,
+            has_particles=lambda: parameters.get("Method") == "mpm",
+            found=lambda group, name: 1e-15,
+            parameter=lambda name: [float(force)])
+
+    def energy(self, run):
+        with unittest.mock.patch.object(head_report, "figure", return_value=""):
+            return "".join(map(str, head_report.energy(run, "")))
+
+    def test_ledger_closes_with_its_rows(self):
+        run = self.run_of(Method="mpm")
+        rows = dict(head_report.ledger(run))
+        self.assertAlmostEqual(
+            np.ptp(rows["both"] - rows["work of planes and body forces"]
+                   + rows["transfer loss"] + rows["contact loss"]), 0.)
+        text = self.energy(run).replace("\u00a0", " ")
+        for words in ("forces, less transfer loss and contact loss, to round",
+                      "20 % were given back by the matter beyond",
+                      "10 % are work of planes at rest other than by friction",
+                      *rows):
+            self.assertIn(words, text)
+
+    def test_forces_of_bodies_are_no_error(self):
+        self.assertNotIn("planes at rest", self.energy(
+            self.run_of(force="1", Method="mpm")))
+
+    def test_cells_lose_nothing(self):
+        text = self.energy(self.run_of(Method="ale"))
+        self.assertIn("planes and body forces, to round-off", text)
+        self.assertNotIn("given back", text)
+
+    def test_pressures_are_averages_where_they_are_smoothed(self):
+        for method, smoothing, said in (
+                ("mpm", "liquids and gels", True), ("mpm", "none", False),
+                ("ale", "liquids and gels", False)):
+            words = head_report._smoothing(self.run_of(
+                Method=method, **{"MPM/Smoothing": smoothing}))
+            self.assertEqual(f"(MPM/Smoothing = {smoothing})" in words, said)
+
+
 class CrossingTest(unittest.TestCase):
     def test_crossing(self):
         time = np.array([0., 1., 2., 3.])

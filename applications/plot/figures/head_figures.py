@@ -299,8 +299,10 @@ def draw_energy(run, ledger):
     time = 1e3 * run.history["time"]
     figure, axis = plt.subplots(figsize=(9., 3.1))
     for number, (name, column) in enumerate(ledger):
-        axis.plot(time, column, label=name, color=style.COLOURS[number],
-                  linestyle="-" if number < 3 else "--")
+        axis.plot(time, column, label=name,
+                  color=style.COLOURS[number % len(style.COLOURS)],
+                  linestyle="-" if number < 3 else "--" if number < len(
+                      style.COLOURS) else ":")
     axis.set_ylabel("energy [J]")
     axis.legend(loc="upper left", bbox_to_anchor=(1., 1.))
     _time_axis(axis, run)

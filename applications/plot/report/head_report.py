@@ -61,6 +61,14 @@ def _carriers(run):
     return "particles" if run.has_particles() else "cells"
 
 
+def _smoothing(run):
+    """How pressures of particles differ from their own, in words."""
+    smoothed = run.parameters.get("MPM/Smoothing", "none")
+    return "" if not run.has_particles() or smoothed == "none" else (
+        ", pressures as the grid averages them over particles nearby "
+        f"(MPM/Smoothing = {smoothed})")
+
+
 def _subtitle(run):
     version = run.summary.get("version", "")
     revision = run.summary.get("git_revision")
@@ -147,8 +155,9 @@ def answer(run, judged):
     return page.tag(
         "div", page.paragraph(" ".join(text)), page.paragraph(
             f"The run ends after {page.milliseconds(end)}. Largest and least "
-            f"values are those of single {_carriers(run)}, of the rows of "
-            "history.csv; the error that the mesh makes has not been estimated."),
+            f"values are those of single {_carriers(run)}{_smoothing(run)}, of "
+            "the rows of history.csv; the error that the mesh makes has not "
+            "been estimated."),
         kind="answer")
 
 
@@ -391,10 +400,11 @@ def ledger(run):
              ("internal", history["internal_energy"]),
              ("both", history["kinetic_energy"] + history["internal_energy"]),
              ("work of planes and body forces", history["external_work"])]
-    if "contact_work" in history:
-        found += [("thereof planes, along their normals",
-                   history["contact_work"]),
-                  ("thereof friction", history["friction_work"])]
+    for name, label in (
+            ("contact_work", "thereof planes, along their normals"),
+            ("friction_work", "thereof friction")):
+        if name in history:
+            found.append((label, history[name]))
     if "interface_work" in history:
         found.append(("made up between fluid and solid",
                       history["interface_work"]))
@@ -403,6 +413,27 @@ def ledger(run):
             found.append((name.replace("_", " "), history[name]))
     found.append(("missing", history["energy_residual"]))
     return found
+
+
+def false_energies(run):
+    """What only the numerics of particles add or take, in a sentence."""
+    history = run.history
+    largest = float(np.max(np.maximum(history["kinetic_energy"],
+                                      np.abs(history["internal_energy"]))))
+    if not largest > 0.:
+        return ""
+    given = np.max(history["stored_energy"] - history["internal_energy"])
+    words = [f"{page.percent(float(given) / largest, 2)} were given back by "
+             "the matter beyond what it had stored"] if given > 0. else []
+    if "friction_work" in history and not any(
+            (run.parameter(f"Body force/{axis}") or [0.])[0] for axis in "xyz"):
+        work = np.max(np.abs(history["external_work"]
+                             - history["friction_work"]))
+        if work > 0.:
+            words.append(f"{page.percent(float(work) / largest, 2)} are work "
+                         "of planes at rest other than by friction")
+    return ("Of the largest energy, " + page.joined(words) + ", at most, which "
+            "are errors of the numerics that smaller cells of the grid reduce.") if words else ""
 
 
 def energy(run, folder):
@@ -417,16 +448,22 @@ def energy(run, folder):
     rows = [(name, *(page.quantity(float(column[index]), "J", 4)
                      for _, index in moments)) for name, column in known]
     residual = run.found("checks", "energy_residual")
-    parts = []
-    if residual is not None:
-        part = abs(residual)
-        parts.append(page.paragraph(
-            "What is missing in the ledger is "
-            + (f"{page.number(part, 2)} of the energy" if part > 0.
-               else "nothing") + ": the sum of kinetic and internal energy "
-            "changes by the work of planes and body forces, to round-off. "
-            "Energy of hourglass control and artificial viscosity is "
-            "internal."))
+    parts = [] if residual is None else [page.paragraph(
+        "What is missing in the ledger is "
+        + (f"{page.number(abs(residual), 2)} of the energy" if residual
+           else "nothing") + ": the sum of kinetic and internal energy "
+        "changes by the work of planes and body forces"
+        + (" and what is made up between fluid and solid"
+           if "interface_work" in run.history else "")
+        + (", less transfer loss and contact loss" if run.has_particles()
+           else "") + ", to round-off. "
+        + ("Internal energy is the work that stresses did on the matter, "
+           "stored energy what the matter can give back of it. Transfer loss "
+           "is kinetic energy that is lost between particles and grid, contact "
+           "loss that where velocity fields meet. " + false_energies(run)
+           if run.has_particles() else
+           "Energy of hourglass control and artificial viscosity is "
+           "internal."))]
     return parts + [
         page.table(("energy of the whole head",
                     *(name for name, _ in moments)), rows,
