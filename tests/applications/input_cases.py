@@ -22,6 +22,7 @@ import head_cases
 FOLDER = "input_cases"
 SCENE = "scene/quickstart.prm"
 SOD = "blast/verification/sod.prm"
+EARLY = "blast/extremes/hand_over_early.prm"
 CONE = "blast/verification/cone.prm"
 SPHERE = "blast/verification/body_sphere_axisymmetric.prm"
 BURN = "blast/verification/tnt_detonation.prm"
@@ -180,6 +181,41 @@ def refused_other_files():
                        entry("Reference/Table", name)), reason)
 
 
+def refused_blasts():
+    """What no explosive and no run of blast can have."""
+    burn = entry("Charges/Afterburn/Kind", "miller")
+    for explosive, energy, most in (
+            ("tnt", "2", "0 for none, or a number from 1e+04 to 1.082e+07"),
+            ("tnt", "2e9", "release at most 1.082e+07 J/kg"),
+            ("anfo", "3.5e6", "burn in air; allowed: 0 for none")):
+        yield (f"afterburn of {energy} J/kg", "blast",
+               shipped(BURN, burn, entry("Material/Equation of state",
+                                         "jwl in air"),
+                       entry("Material/Explosive", explosive),
+                       entry("Charges/Afterburn/Energy", energy)), most)
+    yield ("hand-over after the end", "blast",
+           shipped(EARLY, entry("First stage/Time", "1e-3")),
+           "First stage/Time = 0.001 s is not before Time/End time = 3e-05 s")
+    for application, path in (("blast", SOD), ("biomechanics", BAR),
+                              ("head_impact", HEAD), ("head_impact", MPM)):
+        yield (f"no time for {path}", application,
+               shipped(path, entry("Time/End time", "0")),
+               'entry "Time/End time" cannot be "0"')
+    yield ("no time for a scene", "scene",
+           shipped(SCENE, entry("Scene/End time", "0")),
+           'entry "Scene/End time" cannot be "0"')
+
+
+def refused_bodies():
+    """What biomechanics refuses only after its mesh is there."""
+    pulse = "Loads/Load end/"
+    yield ("charge in the body", "biomechanics",
+           shipped(BAR, entry(pulse + "Kind", "kingery bulmash"),
+                   entry(pulse + "Where", "1"),
+                   entry(pulse + "Kingery Bulmash/Centre", "0.5, 0.01, 0.01")),
+           "from the charge, which the tables do not cover")
+
+
 def refused_gas_selections():
     """Entries of blast that select nothing, or something else than they say."""
     region = [entry("Reference/Kind", "none"),
@@ -237,6 +273,8 @@ def refused_scenes():
              "Biomechanics/Probes/Points: 1, 0, 1.6 m is"),
             ("Charge/Afterburn energy", "3.5",
              "0 for none, or a number from 1e+04 to"),
+            ("Charge/Afterburn energy", "2",
+             "0 for none, or a number from 1e+04 to 5.979e+06"),
             ("Charge/Afterburn energy", "5e7",
              "the products of c-4 release at most 5.979e+06 J/kg"),
             ("Tissues/Tissue brian/Density", "100",
@@ -248,6 +286,13 @@ def refused_scenes():
             ("Tissues/Tissue brain/Densty", "1050", 'did you mean "Density"?')]:
         yield (f"{path} = {value}", "scene",
                shipped(SCENE, end, entry(path, value)), message)
+    at_time = entry("Blast/First stage/Hand over at", "time")
+    for time in ("0.005", "0.02"):
+        yield (f"hand-over at {time} s", "scene",
+               shipped(SCENE, end, at_time,
+                       entry("Blast/First stage/Time", time)),
+               f"Blast/First stage/Time = {time} s is not before Scene/End "
+               "time = 0.005 s")
     hic = "Injury/Measure injury_hic15/Thresholds"
     for path, value, message in [
             (hic, "300", '"300" must be a value and what it means'),
@@ -370,6 +415,14 @@ def accepted():
     yield ("late size limit", "blast",
            shipped(SPHERE, entry("Adaptation/Limit a/From time", "2")),
            "s: the limit never holds")
+    yield ("late hand-over", "scene",
+           shipped(SCENE, near, entry("Blast/First stage/Hand over at", "time"),
+                   entry("Blast/First stage/Time", "0.004")),
+           "WARNING: first_stage: distance of the front at the hand-over is")
+    yield ("wave after the end", "biomechanics",
+           shipped(BAR, entry("Loads/Load end/Kind", "friedlander"),
+                   entry("Loads/Load end/Friedlander/Speed", "4")),
+           "after the end of the run at")
     yield ("late afterburn", "blast",
            shipped(BURN, entry("Charges/Afterburn/Kind", "constant"),
                    entry("Charges/Afterburn/Start time", "1"),
@@ -658,6 +711,8 @@ def main(programs, repository):
                               (refused_entries, judge_refusal),
                               (refused_other_files, judge_refusal),
                               (refused_tissues, judge_refusal),
+                              (refused_blasts, judge_refusal),
+                              (refused_bodies, judge_refusal),
                               (refused_gas_selections, judge_refusal),
                               (refused_scenes, judge_refusal),
                               (refused_studies, judge_refusal),
