@@ -353,12 +353,9 @@ TEST(InsertedOrgans, BendTheLegsOfWhoSits)
 
   const BodyPointer person =
     insert_organs(filled(skin), donor(), allowing(0.1));
-  const auto bones = std::find_if(donor().parts().begin(),
-                                  donor().parts().end(),
-                                  [](const BodyPart &part) {
-                                    return part.name == "leg bones";
-                                  }) -
-                     donor().parts().begin();
+  unsigned int bones = 0;
+  while (donor().parts()[bones].name != "leg bones")
+    ++bones;
   // Bones lie along both thighs and stand in both lower legs, and no others
   // are there.
   for (const double side : {0.1, -0.1})
