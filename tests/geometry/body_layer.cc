@@ -5,8 +5,14 @@
 #include <contrecoup/base/parameters/parameters.h>
 #include <contrecoup/geometry/body/body_description.h>
 #include <contrecoup/geometry/body/body_layer.h>
+#include <contrecoup/geometry/image/part_thickness.h>
 
+#include "nifti_content.h"
 #include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
 
 using namespace contrecoup;
 
@@ -82,4 +88,52 @@ TEST(BodyLayer, KnowsLayersOfEachKindOfBody)
   EXPECT_TRUE(layers[2].is_usual);
   EXPECT_TRUE(layers_of({"Kind=surface"}).empty());
   EXPECT_TRUE(layers_of({"Kind=shape", "Shape/Shape=box"}).empty());
+}
+
+
+// Of the first part nine voxels have rows of 2 mm, two of 4 mm; the third has
+// no voxel.
+TEST(PartThickness, IsThatOfMostVoxels)
+{
+  const std::vector<unsigned char> parts{
+    0, 0, 1, 255, 0, 0, 0, 0, 0, 0, 0, 1, 255, 0, 0, 255, 255, 255};
+  const auto found =
+    part_thicknesses({{9, 2, 1}}, {{1e-3, 2e-3, 9e-3}}, parts, 3);
+  ASSERT_EQ(found.size(), 3u);
+  EXPECT_NEAR(found[0], 2e-3, 1e-9);
+  EXPECT_NEAR(found[1], 1e-3, 1e-9);
+  EXPECT_EQ(found[2], 0.);
+}
+
+
+TEST(BodyLayer, OfLabelsAreAsThickAsTheirVoxels)
+{
+  // A shell of 3 mm around a core of 6 x 6 x 6 voxels of 1.5 mm.
+  Header header{{{10, 10, 10}}, {{1.5F, 1.5F, 1.5F}}};
+  std::vector<short> labels;
+  for (int i = 0; i < 1000; ++i)
+  {
+    const auto is_core = [](const int x) { return x > 1 && x < 8; };
+    labels.push_back(
+      is_core(i % 10) && is_core(i / 10 % 10) && is_core(i / 100) ? 7 : 2);
+  }
+  const std::filesystem::path file =
+    std::filesystem::temp_directory_path() /
+    ("contrecoup_shell_" + std::to_string(getpid()) + ".nii");
+  std::ofstream(file, std::ios::binary) << make_nifti(header, labels);
+  const auto layers = layers_of(
+    {"Kind=image",
+     "Scale=2",
+     "Image/File=" + file.string(),
+     "Image/Labels=1-3: fluid = cerebrospinal fluid; 7: brain; 8: none"});
+  std::filesystem::remove(file);
+  ASSERT_EQ(layers.size(), 2u);
+  EXPECT_EQ(layers[0].part, "fluid");
+  EXPECT_NEAR(layers[0].thickness, 6e-3, 1e-8);
+  EXPECT_NEAR(layers[1].thickness, 18e-3, 1e-8);
+  EXPECT_EQ(
+    thin_layer_lines(layers, 0.01, 0.01, "Mesh/Element size"),
+    Lines{"  fluid, 6 mm (Body/Image/File) is thinner than the elements of "
+          "10 mm, so that there are holes; Mesh/Element size of at most 6 "
+          "mm closes them"});
 }

@@ -4,7 +4,10 @@
 #include <contrecoup/base/parameters/parameters.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/geometry/body/body_layer.h>
+#include <contrecoup/geometry/body/image_body.h>
 #include <contrecoup/geometry/image/head_segmentation.h>
+#include <contrecoup/geometry/image/label_grid.h>
+#include <contrecoup/geometry/image/part_thickness.h>
 
 #include <algorithm>
 
@@ -63,11 +66,45 @@ namespace
   }
 
 
+  /// The parts of a label map, as thick as its voxels have them.
+  std::vector<BodyLayer> layers_of_labels(const std::string &file,
+                                          const std::vector<LabelRow> &table)
+  {
+    unsigned int last = 0;
+    for (const LabelRow &row : table)
+      last = std::max(last, row.last);
+    std::vector<unsigned char> part_of(last + 1, LabelGrid::outside);
+    for (std::size_t i = 0; i < table.size(); ++i)
+      if (table[i].part.tissue != Tissue::none)
+        std::fill(part_of.begin() + table[i].first,
+                  part_of.begin() + table[i].last + 1,
+                  static_cast<unsigned char>(i));
+    const VoxelImage image = read_image(file);
+    std::vector<unsigned char> parts;
+    parts.reserve(image.values.size());
+    for (const float label : image.values)
+      parts.push_back(label >= 0.F && label <= static_cast<float>(last)
+                        ? part_of[static_cast<unsigned int>(label)]
+                        : LabelGrid::outside);
+    const std::vector<double> thickness =
+      part_thicknesses(image.size, image.spacing(), parts, table.size());
+    std::vector<BodyLayer> layers;
+    for (std::size_t i = 0; i < table.size(); ++i)
+      if (thickness[i] > 0.)
+        layers.push_back(
+          {table[i].part.name, thickness[i], "Body/Image/File", true});
+    return layers;
+  }
+
+
   std::vector<BodyLayer> layers_of_image(ParameterHandler &prm)
   {
     const Section section(prm, "Image");
     if (prm.get("Kind") == "labels")
-      return {};
+      return prm.get("File").empty()
+               ? std::vector<BodyLayer>()
+               : layers_of_labels(prm.get("File"),
+                                  parse_label_table(prm.get("Labels")));
     const Section head(prm, "Head");
     const HeadRules usual;
     HeadRules rules;
@@ -136,7 +173,8 @@ std::vector<std::string> thin_layer_lines(const std::vector<BodyLayer> &layers,
   const bool is_coarse = element_size > usual_size * (1. + 1e-9);
   std::vector<BodyLayer> warned, remarked;
   for (const BodyLayer &layer : layers)
-    if (layer.thickness < element_size * (1. - 1e-9))
+    // Headers of images have single precision.
+    if (layer.thickness < element_size * (1. - 1e-6))
       (layer.is_usual && !is_coarse ? remarked : warned).push_back(layer);
   std::vector<std::string> lines;
   if (!warned.empty())
