@@ -29,7 +29,6 @@ CUT = "blast/extremes/charge_cut.prm"
 GROUND = "blast/extremes/charge_on_ground.prm"
 CENTER = "Charges/Charge 1/Center="
 MASS = "Charges/Charge 1/Mass="
-NO_STAGE = ["First stage/Kind=none", "First stage/Spherical cell size=0"]
 QUICK = "scene/quickstart.prm"
 HEAD = "scene/verification/head.prm"
 
@@ -41,7 +40,7 @@ REFUSED = {
         ("charge in a man, first stage", HUMAN, [CENTER + "0, 0, 1.2"],
          ["Charges/Charge 1", "rigid body overlap"]),
         ("charge in a man, no stage", HUMAN,
-         [CENTER + "0, 0, 1.2", *NO_STAGE], ["rigid body overlap"]),
+         [CENTER + "0, 0, 1.2", "First stage/Kind=none"], ["rigid body overlap"]),
         ("charge whose surface is in a body", NEAR, [CENTER + "-0.02, 0, 0"],
          ["rigid body overlap"]),
         ("charge nearer to a body than a cell", NEAR, [CENTER + "-0.027, 0, 0"],

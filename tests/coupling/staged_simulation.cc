@@ -494,7 +494,4 @@ TEST(FirstStageLayout, RefusesScenesThatCannotBeginSo)
                InputError);
   EXPECT_THROW(make<2>(above_ground() + Lines{"Domain/Geometry=plane"}),
                InputError);
-  EXPECT_THROW(
-    make<3>(octant() + Lines{"First stage/Spherical cell size=1e-3"}),
-    InputError);
 }

@@ -137,7 +137,7 @@ namespace
     const auto meet = [&](const std::vector<double> &other) {
       if (centre && *centre != other)
         throw InputError("First stage: charges with different centres can "
-                         "only be computed with Kind = none");
+                         "only be computed with First stage/Kind = none");
       centre = other;
     };
     const auto padded = [](std::vector<double> numbers) {
@@ -254,11 +254,8 @@ void FirstStageParameters::parse_parameters(ParameterHandler &prm)
   kind = prm.get("Kind");
   cell_size = read_double(prm, "Cell size");
   levels = kind == "axisymmetric" ? read_unsigned(prm, "Levels") : 0;
-  spherical_cell_size = read_double(prm, "Spherical cell size");
-  if (spherical_cell_size > 0. && kind != "axisymmetric")
-    throw InputError("First stage/Spherical cell size is for Kind = "
-                     "axisymmetric, not " +
-                     kind + "; there it is Cell size");
+  spherical_cell_size =
+    kind == "axisymmetric" ? read_double(prm, "Spherical cell size") : 0.;
   criterion = prm.get("Hand over at");
   time = read_double(prm, "Time");
   radius = read_double(prm, "Radius");

@@ -131,9 +131,7 @@ namespace
   }
 
 
-  void set_first_stage(const SceneParameters &scene,
-                       const SceneLayout &layout,
-                       Entries &entries)
+  void set_first_stage(const SceneLayout &layout, Entries &entries)
   {
     const double radial_cell = SceneLayout::radial_cell;
     double cell = 0.005;
@@ -162,8 +160,7 @@ namespace
         brief(layout.charge_radius + 10. * radial_cell) +
         " m or a larger Distance is needed");
     entries.set("First stage/Kind",
-                meets_ground_first ? "axisymmetric" : "spherical",
-                place_entry(scene));
+                meets_ground_first ? "axisymmetric" : "spherical");
     entries.set("First stage/Cell size",
                 meets_ground_first ? cell : radial_cell);
     if (!meets_ground_first)
@@ -203,7 +200,7 @@ namespace
     if (scene.afterburn > 0.)
       entries.set(
         "Charges/Afterburn/Energy", scene.afterburn, "Charge/Afterburn energy");
-    set_first_stage(scene, layout, entries);
+    set_first_stage(layout, entries);
     const std::string reference = "Reference/Kingery Bulmash/";
     entries.set("Reference/Kind", "kingery bulmash");
     entries.set(reference + "Mass", scene.mass, mass);

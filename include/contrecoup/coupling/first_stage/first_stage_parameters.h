@@ -35,7 +35,7 @@ public:
   double cell_size = 0.001;  ///< edge of the smallest subcells [m]
   unsigned int levels = 3;   ///< refinement levels, if axisymmetric
   /// Edge of the subcells of the spherical stage before an axisymmetric one
-  /// [m]; 0: no such stage.
+  /// [m]; 0: no such stage, as with any other kind.
   double spherical_cell_size = 0.;
   std::string criterion = "auto"; ///< auto, time, radius
   double time = 0.;               ///< time of the hand-over [s]
