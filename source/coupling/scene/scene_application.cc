@@ -6,6 +6,7 @@
 #include <contrecoup/coupling/scene/scene_application.h>
 #include <contrecoup/coupling/scene/scene_parameters.h>
 #include <contrecoup/coupling/scene/scene_run.h>
+#include <contrecoup/coupling/scene/scene_tasks.h>
 #include <contrecoup/io/run/command_line.h>
 
 #include <algorithm>
@@ -61,6 +62,7 @@ namespace
         const PlannedScene scene(prm, io::assignments_of(command, prm));
         for (const std::string &line : scene.first_answer())
           show_line(line);
+        warn_of_entries(scene, command, prm, collective);
       },
       ExitCode::bad_input);
   }
