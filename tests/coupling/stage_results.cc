@@ -131,6 +131,15 @@ TEST(SceneAudit, JudgesStrainAndMotionOfAnyBody)
             std::string::npos)
     << strain.quantity;
   EXPECT_GT(item_of(audit({}), "rigid_body").value, 0.);
+  EXPECT_EQ(item_of(audit({}), "rigid_body").entry, "");
+  const Assumption held = item_of(
+    audit({parse_override("Biomechanics/Supports/Support neck/Where=z < 1")}),
+    "rigid_body");
+  EXPECT_EQ(held.value, item_of(audit({}), "rigid_body").value);
+  EXPECT_EQ(held.entry, "Biomechanics/Supports");
+  EXPECT_EQ(held.quantity,
+            "displacement of the held body during the positive phase over its "
+            "depth");
   EXPECT_NEAR(item_of(audit({}), "gravity_of_body").value,
               9.81 * scene.end_time / 3.,
               1e-12);
@@ -166,6 +175,29 @@ TEST(ScenePlan, KnowsCellsInAPositivePhaseOfTheTablesAlone)
       std::isfinite(
         item_of(scene_plan(scene, layout, {}, 2., false), "resolution").value),
       mass == 1.);
+  }
+}
+
+
+// Without afterburn the plan tells what it would add, which is nothing for a
+// balanced explosive alone.
+TEST(ScenePlan, TellsWhatAfterburnThatIsLeftOutWouldAdd)
+{
+  for (const char *const name : {"tnt", "anfo"})
+  {
+    SceneParameters scene = small_scene();
+    scene.explosive = find_explosive(name);
+    const SceneLayout layout = box_layout(scene);
+    for (const char *const item : {"afterburn_peak", "afterburn_impulse"})
+    {
+      const auto rise = [&](const double energy) {
+        scene.afterburn = energy;
+        return item_of(scene_plan(scene, layout, {}, 2., false), item).value;
+      };
+      const double usual = scene.explosive.afterburn.energy;
+      EXPECT_EQ(rise(0.) > 0.05, usual > 0.) << name;
+      EXPECT_NEAR(rise(0.), rise(usual), 1e-12) << name;
+    }
   }
 }
 

@@ -31,16 +31,21 @@ namespace
 
   /// Item about the body at rest, with its estimate.
   /// @param displacement while the load lasts [m]
-  Assumption rigid_body(const double displacement, const SceneLayout &layout)
+  /// @param is_held whether biomechanics has supports
+  Assumption rigid_body(const double displacement,
+                        const bool is_held,
+                        const SceneLayout &layout)
   {
     return {"rigid_body",
-            "fixed rigid body in the gas",
-            "displacement of the body during the positive phase over its depth",
+            std::string("fixed rigid body in the gas") +
+              (is_held ? ", held by Supports in biomechanics" : ""),
+            std::string("displacement of the ") + (is_held ? "held " : "") +
+              "body during the positive phase over its depth",
             "-",
             displacement / layout.shortest_side(),
             largest_displacement,
             false,
-            ""};
+            is_held ? "Biomechanics/Supports" : ""};
   }
 
   std::string strain_of(const std::string &tissue)
@@ -92,11 +97,11 @@ namespace
             "Scene/Symmetry"};
   }
 
-  /// Energy of afterburn over that of detonation.
-  double afterburn_share(const SceneParameters &scene)
+  /// This energy of afterburn [J/kg] over that of detonation.
+  double afterburn_share(const SceneParameters &scene, const double energy)
   {
     const JwlParameters &jwl = scene.explosive.jwl;
-    return scene.afterburn * jwl.reference_density / jwl.energy_density;
+    return energy * jwl.reference_density / jwl.energy_density;
   }
 
   /// Item about the energy that the products release in air.
@@ -112,7 +117,7 @@ namespace
             decision + (scene.has_usual_afterburn ? ", by explosive" : ""),
             "energy of afterburn over that of detonation",
             "-",
-            afterburn_share(scene),
+            afterburn_share(scene, scene.afterburn),
             unknown,
             false,
             "Charge/Afterburn energy"};
@@ -120,16 +125,19 @@ namespace
 
   /// Item about what afterburn does to @p quantity at the body: its rise by
   /// the tables of Kingery and Bulmash if all of the energy came with the
-  /// detonation, the largest possible.
+  /// detonation, the largest possible; left out: that of the explosive.
   Assumption afterburn_effect(const SceneParameters &scene,
                               const SceneLayout &layout,
                               const BlastQuantity quantity)
   {
     const bool is_impulse = quantity == BlastQuantity::impulse;
     const IncidentWave without = scene.incident_wave();
-    const IncidentWave with(scene.explosive.tnt,
-                            (1. + afterburn_share(scene)) * scene.mass,
-                            scene.energy());
+    const double share =
+      afterburn_share(scene,
+                      scene.afterburn > 0. ? scene.afterburn
+                                           : scene.explosive.afterburn.energy);
+    const IncidentWave with(
+      scene.explosive.tnt, (1. + share) * scene.mass, scene.energy());
     const double distance = layout.distance;
     const double rise =
       without.is_tabulated(quantity, distance) &&
@@ -217,12 +225,6 @@ namespace
             "Charge/Explosive"};
   }
 
-  io::Json read_summary(const std::string &folder)
-  {
-    return io::read_json(folder + "/summary.json", io::formats::summary);
-  }
-
-
   double number_or_unknown(const io::Json &object, const std::string &name)
   {
     return object.is_object() && object.contains(name) &&
@@ -230,7 +232,6 @@ namespace
              ? object[name].get<double>()
              : unknown;
   }
-
 
   /// Items about charge and cells, known before the run.
   std::vector<Assumption> items_of_charge(const SceneParameters &scene,
@@ -254,7 +255,6 @@ namespace
     items.push_back(bias("duration", known.duration, known.gap));
     return items;
   }
-
 
   /// The same with what a run measured: neither the rise by afterburn nor the
   /// difference from other models.
@@ -290,7 +290,7 @@ namespace
     for (Assumption item : plan)
     {
       if (item.name == "rigid_body")
-        item = rigid_body(motion.displacement, layout);
+        item.value = motion.displacement / layout.shortest_side();
       else if (item.name == "strain")
       {
         item.value = tissue.strain;
@@ -339,7 +339,6 @@ namespace
             "Scene/End time"};
   }
 
-
   std::string text(const io::Json &object,
                    const std::string &name,
                    const std::string &otherwise = "")
@@ -349,13 +348,13 @@ namespace
              : otherwise;
   }
 
-
   /// Items of a task's summary, with their estimates or with measured values.
   std::vector<Assumption> task_items(const std::string &folder,
                                      const char *value)
   {
     std::vector<Assumption> items;
-    const io::Json summary = read_summary(folder);
+    const io::Json summary =
+      io::read_json(folder + "/summary.json", io::formats::summary);
     if (!summary.is_object() || !summary.contains("assumptions"))
       return items;
     for (const auto &[name, item] : summary["assumptions"].items())
@@ -377,7 +376,6 @@ namespace
     return items;
   }
 
-
   /// What the user wrote for an entry of biomechanics; empty: nothing.
   std::string written(const std::vector<Assignment> &wrote,
                       const std::string &section,
@@ -389,6 +387,14 @@ namespace
           join(assignment.sections, "/") == "Biomechanics/" + section)
         value = trim(assignment.value);
     return value;
+  }
+
+  bool has_supports(const std::vector<Assignment> &wrote)
+  {
+    return std::any_of(wrote.begin(), wrote.end(), [](const auto &one) {
+      return begins_with(join(one.sections, "/"), "Biomechanics/Supports/") &&
+             one.sections.back() != "Support *";
+    });
   }
 } // namespace
 
@@ -447,7 +453,9 @@ std::vector<Assumption> scene_plan(const SceneParameters &scene,
     items.push_back(chosen_side(side, layout));
   items.push_back(end_of_load(scene, layout.arrival + phase));
   // Under a load that falls linearly.
-  items.push_back(rigid_body(2. / 3. * speed * phase, layout));
+  items.push_back(rigid_body(2. / 3. * speed * phase,
+                             scene.wants_injury() && has_supports(wrote),
+                             layout));
   if (!scene.wants_injury())
     return items;
   items.push_back(strain(written(wrote, "Elements", "Kinematics")));
@@ -478,7 +486,7 @@ std::vector<Assumption> scene_audit(const SceneParameters &scene,
     // Nothing moves the body.
     for (const Assumption &item : plan)
       if (item.name == "rigid_body")
-        items.push_back(rigid_body(unknown, layout));
+        items.push_back(rigid_body(unknown, false, layout));
   for (const Assumption &item : task_items(folder + "/blast", "measured"))
     items.push_back(item);
   return items;
