@@ -228,6 +228,10 @@ contrecoup_add_application_test(late_load bounds FILE ${_folder}/plane_wave.prm
   SET "Output/Fields=false" "Loads/Load end/Pressure=if(t < 1, 0, 1e6)"
   BOUNDS "status == finished" "checks.loaded_facets > 0"
   MESSAGE "WARNING: nothing has moved the body until 6e-05 s")
+contrecoup_add_application_test(held_body bounds FILE ${_folder}/plane_wave.prm
+  SET "Output/Fields=false" "Supports/Support all/Where=1"
+  BOUNDS "status == finished" "checks.loaded_facets > 0"
+  MESSAGE "or supports hold all that they reach")
 contrecoup_add_application_test(energy_gate bounds
   FILE ${_folder}/plane_wave.prm
   SET "Output/Fields=false" "Energy audit/Largest residual=0"

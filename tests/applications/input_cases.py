@@ -30,6 +30,7 @@ HEAD = "head_impact/quickstart.prm"
 BAR = "biomechanics/verification/bar_wave.prm"
 MPM = "head_impact/verification/two_disks.prm"
 ANATOMY = "anatomy/quickstart.prm"
+HUMAN = "blast/quickstart_human.prm"
 VORTEX = "blast/verification/mapped_vortex.prm"
 REST = "blast/extremes/rest_100000_steps.prm"
 # Where what is needed for a case lies, made by make_files().
@@ -55,6 +56,11 @@ def entry(path, value):
     for section in reversed(sections):
         text = f"subsection {section}\n{text}end\n"
     return text
+
+
+# Beside that of a shipped file.
+SECOND_CHARGE = (entry("Charges/Charge 2/Mass", "1"),
+                 entry("Charges/Charge 2/Center", "1.6, 0, 2"))
 
 
 def refused_files():
@@ -96,6 +102,9 @@ def refused_entries():
                         ("Probes/Points", "1e300")]:
         yield (path, "blast", shipped(SOD, entry(path, value)),
                f'entry "{path}" cannot be "{value}"')
+    yield ("charges of a first stage", "blast",
+           shipped(HUMAN, *SECOND_CHARGE),
+           "can only be computed with First stage/Kind = none")
     yield ("constant that is not finite", "blast",
            shipped(SOD, entry("Initial state/Kind", "expression"),
                    entry("Reference/Kind", "none"),
@@ -362,6 +371,29 @@ def accepted():
     yield ("a level of a stage", "scene",
            shipped(SCENE, near, entry("Blast/Adaptation/Largest level", "1")),
            "changed: Blast/Adaptation/Largest level = 1, otherwise ")
+    yield ("charges without a first stage", "blast",
+           shipped(HUMAN, *SECOND_CHARGE, entry("First stage/Kind", "none")),
+           "The parameters are valid.")
+    head = "scene/verification/head.prm"
+    where = entry("Biomechanics/Supports/Support all/Where", "1")
+    for name, said in (
+            ("a support of a stage", "changed: Biomechanics/Supports/Support "
+             "all/Where = 1, otherwise not set"),
+            ("a support of the whole body", "WARNING: Biomechanics/Supports/"
+             "Support all/Where selects all nodes of the body in x, y and z"),
+            ("a body that is held", "held by Supports in biomechanics")):
+        yield (name, "scene",
+               shipped(head, entry("Scene/Forecast", "false"), where), said)
+    yield ("a load of a stage", "scene",
+           shipped(head, entry("Scene/Forecast", "false"),
+                   entry("Biomechanics/Loads/Load b/Pressure", "1e6")),
+           "changed: Biomechanics/Loads/Load b/Pressure = 1e6, otherwise "
+           "not set")
+    yield ("a support of all of the brain", "biomechanics",
+           shipped("biomechanics/quickstart.prm",
+                   entry("Supports/Support head/Where", "z > 1.4")),
+           "WARNING: Supports/Support head/Where selects all nodes of brain "
+           "in x, y and z")
     yield ("an explosive of the user", "scene",
            shipped(SCENE, near, entry("Charge/Explosive", "custom"),
                    entry("Charge/Custom explosive/Name", "my mix"),
@@ -675,6 +707,23 @@ def judge_dump(program):
     return "" if dumped == empty else f"{dumped} instead of {empty}"
 
 
+def judge_estimate(program, files):
+    """What --estimate leaves out of the warnings of --check about entries."""
+    path = os.path.join(files, SCENE)
+    for entries, said in (
+            (["Body/Shape/Shape=box"], "WARNING: Body/Shape/Shape is set but not "
+             "used: Body/Kind is phantom, not shape"),
+            (["Charge/Place=-2, 0, 1", "Charge/Distance=3"],
+             "WARNING: Charge/Distance is set but not used")):
+        words = [word for text in entries for word in ("--set", text)]
+        end = subprocess.run([program, path, "--estimate", *words], text=True,
+                             capture_output=True, timeout=300, cwd=FOLDER)
+        flaw = judge_acceptance(end, said)
+        if flaw:
+            return flaw
+    return ""
+
+
 def judge_forecast(program, files):
     """Trial runs of a scene are made with Scene/Forecast = true alone."""
     path = os.path.join(files, "scene/verification/head.prm")
@@ -741,8 +790,9 @@ def main(programs, repository):
         end = run(os.path.join(programs, "scene"), [name])
         judge(name, end, judge_refusal(
             end, f'cannot read the parameter file "{name}": {reason}'))
-    judge("trial runs", None, judge_forecast(
-        os.path.join(programs, "scene"), files))
+    for case, judge_scene in (("trial runs", judge_forecast),
+                              ("--estimate", judge_estimate)):
+        judge(case, None, judge_scene(os.path.join(programs, "scene"), files))
     for application in ("blast", "anatomy", "biomechanics", "head_impact",
                         "scene", "study"):
         program = os.path.join(programs, application)

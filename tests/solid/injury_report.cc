@@ -24,12 +24,12 @@ const double gravity = 9.80665;
 class Head
 {
 public:
-  Head()
+  explicit Head(const solid::Supports &supports = {})
   {
     body.reinit(half_brain(false),
                 materials_of("paper"),
                 solid::ElementOptions(),
-                solid::Supports(),
+                supports,
                 solid::SurfaceLoads(),
                 MPI_COMM_WORLD);
     dealii::ParameterHandler prm;
@@ -159,6 +159,31 @@ TEST(InjuryReport, FollowsTheMotionOfTheHead)
   EXPECT_NEAR(found.at("injury_bric_ais2"),
               1. - std::exp(-std::pow(found.at("injury_bric") / 0.602, 2.84)),
               1e-12);
+}
+
+
+// Of a head that supports hold, the motion is no answer to the load alone.
+TEST(InjuryReport, RemarksOnTheMotionOfAHeldHead)
+{
+  dealii::ParameterHandler prm;
+  solid::Supports::declare_parameters(prm);
+  apply_assignments({{{"Supports", "Support neck"}, "Where", "z < 0.001", ""}},
+                    prm);
+  solid::Supports supports;
+  supports.parse_parameters(prm);
+  for (const bool is_held : {false, true})
+  {
+    Head head(is_held ? supports : solid::Supports());
+    for (const double time : {1e-3, 2e-3})
+      head.move(time, {}, {});
+    unsigned int n_remarks = 0;
+    for (const solid::InjuryMeasure &measure : head.report.measures(head.body))
+      if (measure.limits.find("in a body that Supports hold") !=
+          std::string::npos)
+        ++n_remarks;
+    // Of HIC and BrIC.
+    EXPECT_EQ(n_remarks, is_held ? 2u : 0u);
+  }
 }
 
 

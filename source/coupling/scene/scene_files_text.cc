@@ -8,6 +8,7 @@
 #include <contrecoup/coupling/scene/scene_files.h>
 
 #include <map>
+#include <set>
 #include <sstream>
 
 namespace contrecoup::coupling
@@ -49,8 +50,7 @@ namespace
       return path;
     for (const Assignment &entry : entries)
       for (const char *const own : {"Charge/", "Body", "Tissues/"})
-        if (path_of(entry) == path && begins_with(entry.origin, own) &&
-            path != "First stage/Kind")
+        if (path_of(entry) == path && begins_with(entry.origin, own))
           return entry.origin;
     return path == "Mesh/Element size"   ? "Scene/Element size"
            : path == "Rigid body/Levels" ? "Scene/Cell size"
@@ -75,7 +75,8 @@ namespace
         "biomechanics.prm of the scene's output folder");
   }
 
-  /// Entries of the user with another value than @p before.
+  /// Entries of the user with another value than @p before, or in a subsection
+  /// that the user adds, such as a support.
   /// @throws InputError for those that the scene alone may determine
   std::vector<ChangedEntry>
   find_changes(const std::string &stage,
@@ -85,27 +86,28 @@ namespace
                const std::map<std::string, std::string> &after)
   {
     std::vector<ChangedEntry> changes;
+    std::set<std::string> listed;
     for (const Assignment &assignment : of_user)
     {
       const std::string path = path_of(assignment);
       const auto old = before.find(path), now = after.find(path);
-      if (old == before.end() || now == after.end() ||
-          !is_same(old->second, now->second))
-        require_of_scene(stage, path, assignment);
-      if (old == before.end() || now == after.end() ||
-          is_same(old->second, now->second))
+      const bool is_added = old == before.end();
+      if (now == after.end() ||
+          (!is_added && is_same(old->second, now->second)))
         continue;
+      require_of_scene(stage, path, assignment);
+      const std::string otherwise = is_added              ? "not set"
+                                    : old->second.empty() ? "empty"
+                                                          : old->second;
       if (const std::string owner = owner_of(path, entries); !owner.empty())
-        throw InputError(
-          assignment.origin + ": " + stage + "/" + path + " = " + now->second +
-          " contradicts " + owner + " of the scene, which makes it " +
-          (old->second.empty() ? "empty" : old->second) + "; set " + owner);
+        throw InputError(assignment.origin + ": " + stage + "/" + path + " = " +
+                         now->second + " contradicts " + owner +
+                         " of the scene, which makes it " + otherwise +
+                         "; set " + owner);
       const std::string &section = assignment.sections[0];
-      if (section != "Output" && section != "Pictures" && section != "Probes")
-        changes.push_back({stage + "/" + path,
-                           now->second,
-                           old->second.empty() ? "empty" : old->second,
-                           true});
+      if (section != "Output" && section != "Pictures" && section != "Probes" &&
+          listed.insert(path).second)
+        changes.push_back({stage + "/" + path, now->second, otherwise, true});
     }
     return changes;
   }

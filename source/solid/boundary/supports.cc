@@ -76,6 +76,33 @@ void Supports::reinit(const SolidMesh &mesh)
 }
 
 
+std::vector<std::string> Supports::selecting_entries() const
+{
+  std::vector<std::string> entries;
+  for (const Support &support : supports_)
+    entries.push_back("Supports/Support " + support.name + "/Where");
+  return entries;
+}
+
+
+std::vector<unsigned char>
+Supports::find_held_nodes(const SolidMesh &mesh) const
+{
+  constexpr unsigned char all = 7;
+  std::vector<unsigned char> directions(mesh.nodes.size(), 0);
+  for (const Support &support : supports_)
+    for (std::size_t i = 0; i < mesh.nodes.size(); ++i)
+      if (support.where.value(mesh.nodes[i]) != 0.)
+        for (const unsigned int direction : support.directions)
+          directions[i] |= static_cast<unsigned char>(1U << direction);
+  for (const HexMesh::HangingNode &one : mesh.hanging_nodes)
+    directions[one.node] = all;
+  for (unsigned char &held : directions)
+    held = held == all ? 1 : 0;
+  return directions;
+}
+
+
 void Supports::add_selections(const SolidMesh &mesh,
                               Selections &selections) const
 {

@@ -276,7 +276,7 @@ InjuryReport<Real>::measures(const SolidBody<Real> &body) const
 {
   std::vector<InjuryMeasure> list;
   add_brain(body, list);
-  add_head(list);
+  add_head(body, list);
   if (has_lung(body.mesh()))
     for (const InjuryMeasure &measure : chest_.measures())
       list.push_back(measure);
@@ -296,12 +296,17 @@ void InjuryReport<Real>::add_brain(const SolidBody<Real> &body,
 
 
 template <typename Real>
-void InjuryReport<Real>::add_head(std::vector<InjuryMeasure> &list) const
+void InjuryReport<Real>::add_head(const SolidBody<Real> &body,
+                                  std::vector<InjuryMeasure> &list) const
 {
+  const std::string moving = has_skull_
+                               ? "the skull, at the centre of brain and skull"
+                               : "the mean motion of the brain";
   for (const InjuryMeasure &measure : head_motion_measures(
          record_.motion,
-         has_skull_ ? "the skull, at the centre of brain and skull"
-                    : "the mean motion of the brain"))
+         moving + (body.supports().selecting_entries().empty()
+                     ? ""
+                     : ", in a body that Supports hold")))
     list.push_back(measure);
 }
 

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/log.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/solid/run/solid_selections.h>
 
@@ -78,5 +79,36 @@ void require_selections(const SolidMesh &mesh,
     throw InputError("Injury/Active = true: injuries of brain and lung are "
                      "reported, but " +
                      tissues_in_words(mesh));
+}
+
+
+void warn_of_supports(const SolidMesh &mesh,
+                      const SolidSelectors &selectors,
+                      const MPI_Comm communicator)
+{
+  const auto entries = selectors.supports.selecting_entries();
+  if (entries.empty())
+    return;
+  const auto held = selectors.supports.find_held_nodes(mesh);
+  std::vector<std::uint64_t> n_free(mesh.tissues.size(), 0);
+  for (std::size_t i = 0; i < mesh.elements.size(); ++i)
+    for (const std::uint32_t node : mesh.elements[i])
+      n_free[mesh.tissue[i]] += held[node] == 0 ? 1 : 0;
+  dealii::Utilities::MPI::sum(n_free, communicator, n_free);
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < n_free.size(); ++i)
+    if (n_free[i] == 0 && selectors.reports_injury &&
+        (mesh.tissues[i] == Tissue::brain || mesh.tissues[i] == Tissue::lung))
+      names.push_back(name_of(mesh.tissues[i]));
+  if (std::all_of(n_free.begin(), n_free.end(), [](const std::uint64_t count) {
+        return count == 0;
+      }))
+    names = {"the body"};
+  if (!names.empty())
+    log_line("WARNING: " + join(entries, ", ") +
+             (entries.size() > 1 ? " select" : " selects") + " all nodes of " +
+             join(names, " and ") +
+             " in x, y and z: no load moves or strains what is held so, and "
+             "its measures of injury say nothing");
 }
 } // namespace contrecoup::solid

@@ -126,6 +126,7 @@ void SolidSimulation<Real>::build()
     loads_,
     communicator_);
   require_selections(body_.mesh(), selectors(), communicator_);
+  warn_of_supports(body_.mesh(), selectors(), communicator_);
   body_.loads().warn_of_times(end_time_);
   stability_ = body_.find_stable_step();
   stable_step_ = safety_ * options_.step_factor() * stability_.body_step;
@@ -390,7 +391,8 @@ void SolidSimulation<Real>::finish(const std::string &folder)
   if (audit_.scale() == 0. && !has_warned_of_rest_)
     log_line("WARNING: nothing has moved the body until " +
              brief(body_.time()) +
-             " s, all results are zero: loads are 0 or begin later");
+             " s, all results are zero: loads are 0 or begin later, or "
+             "supports hold all that they reach");
 }
 
 

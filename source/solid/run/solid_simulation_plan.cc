@@ -72,6 +72,7 @@ void SolidSimulation<Real>::check_selections()
     slip = slip_.split(mesh);
   const SolidMesh part = distribute(mesh, communicator_, slip);
   require_selections(part, selectors(), communicator_);
+  warn_of_supports(part, selectors(), communicator_);
   probes_.reinit(part, communicator_);
   if (injury_.active())
     injury_.find_chest(part, communicator_);

@@ -26,6 +26,13 @@ public:
 
   void reinit(const SolidMesh &mesh);
 
+  /// Paths of the entries that select nodes, one of each support.
+  std::vector<std::string> selecting_entries() const;
+
+  /// For each node of the mesh whether all of its components are prescribed.
+  /// Hanging nodes, which follow others, count as such.
+  std::vector<unsigned char> find_held_nodes(const SolidMesh &mesh) const;
+
   /// Adds the number of nodes that each support selects among those that this
   /// rank owns.
   void add_selections(const SolidMesh &mesh, Selections &selections) const;

@@ -69,7 +69,8 @@ private:
   void find_skull(const SolidBody<Real> &body);
   void add_brain(const SolidBody<Real> &body,
                  std::vector<InjuryMeasure> &list) const;
-  void add_head(std::vector<InjuryMeasure> &list) const;
+  void add_head(const SolidBody<Real> &body,
+                std::vector<InjuryMeasure> &list) const;
 
   bool active_ = false;
   bool averaged_ = true; ///< pressures, over neighbours

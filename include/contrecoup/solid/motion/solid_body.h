@@ -52,6 +52,11 @@ public:
     return slip_;
   }
 
+  const Supports &supports() const
+  {
+    return supports_;
+  }
+
   /**
    * Builds this rank's part of the body, at rest.
    * @throws InputError for inverted elements

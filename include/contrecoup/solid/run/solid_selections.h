@@ -29,4 +29,11 @@ struct SolidSelectors
 void require_selections(const SolidMesh &mesh,
                         const SolidSelectors &selectors,
                         MPI_Comm communicator);
+
+/// Warns of supports that prescribe the motion of all nodes of the body, or of
+/// a tissue whose injury is reported: no load reaches what they select.
+/// Collective.
+void warn_of_supports(const SolidMesh &mesh,
+                      const SolidSelectors &selectors,
+                      MPI_Comm communicator);
 } // namespace contrecoup::solid
