@@ -107,14 +107,9 @@ namespace io
                    const double cells_last) const
       {
         const bool is_last = &stage == &last.stages.back();
-        // Nothing is refined where the cells of a trial are too large for it.
         if (!is_constant(stage) || (is_last && adapts))
           return extrapolate_cells(
-            is_constant(stage_like(before, stage)) ? 0. : cells_before,
-            cells_last,
-            last.levels,
-            stage.dimension,
-            gap());
+            cells_before, cells_last, last.levels, stage.dimension, gap());
         if (is_last && last.known_cells > 0. && last.levels > 0)
           return known * cells_last / last.known_cells;
         return io::extrapolate(
