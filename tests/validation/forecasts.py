@@ -114,10 +114,6 @@ CASES = (
     Case("scene_coarser", "scene", "scene/verification/head.prm", cheap=False),
     Case("scene_man", "scene", "scene/quickstart.prm",
          ("Scene/Accuracy=first look",), "", cheap=False),
-    Case("scene_air", "scene", "scene/quickstart.prm",
-         ("Scene/Accuracy=first look", "Charge/Mass=0.4", "Charge/Distance=1.3",
-          "Charge/Height=11.2", "Body/Shift=0, 0, 10", "Scene/End time=0.006"),
-         "", cheap=False),
 )
 
 
