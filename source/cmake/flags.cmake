@@ -15,6 +15,9 @@ option(CONTRECOUP_UNITY "Compile the sources of a folder at once" ON)
 # uninitialised variables. Debian's deal.II hands flags of gcc to clang, too.
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   set(_false_alarms -Wno-maybe-uninitialized)
+  if(CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+    list(APPEND _false_alarms -Wno-uninitialized)
+  endif()
 else()
   set(_false_alarms -Wno-unknown-warning-option
     -Wno-ignored-optimization-argument)
