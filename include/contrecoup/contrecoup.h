@@ -30,6 +30,7 @@
  * | states_at() | density, velocity and pressure at any places |
  * | probes() | the same at the probes of its entries |
  * | history() | conserved totals and extrema |
+ * | loads() | overpressures on the facets of a body and at its gauges |
  * | results() | peaks, impulses and arrivals at probes and gauges, loads |
  * | write_fields() | files for ParaView |
  * | add_recorder() | calls a class derived from gas::Recorder after each step |

@@ -409,6 +409,15 @@ std::vector<std::string> LoadGauges::names() const
 }
 
 
+std::vector<double> LoadGauges::overpressures() const
+{
+  std::vector<double> result;
+  for (const Record &record : records_)
+    result.push_back(record.last);
+  return result;
+}
+
+
 std::string LoadGauges::description() const
 {
   std::vector<std::string> parts;

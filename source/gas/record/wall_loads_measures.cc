@@ -41,6 +41,16 @@ void WallLoads<dim>::write_measures()
 
 
 template <int dim>
+std::vector<double> WallLoads<dim>::overpressures() const
+{
+  std::vector<double> result;
+  for (const auto &facet : facets_.owned())
+    result.push_back(records_[facet.number].last);
+  return result;
+}
+
+
+template <int dim>
 std::vector<NamedValue> WallLoads<dim>::result_values() const
 {
   std::vector<NamedValue> values;
@@ -74,6 +84,7 @@ std::vector<NamedValue> WallLoads<dim>::check_values() const
 
 #define CONTRECOUP_INSTANTIATE(dim)                                       \
   template void WallLoads<dim>::write_measures();                         \
+  template std::vector<double> WallLoads<dim>::overpressures() const;     \
   template std::vector<NamedValue> WallLoads<dim>::result_values() const; \
   template std::vector<NamedValue> WallLoads<dim>::check_values() const
 

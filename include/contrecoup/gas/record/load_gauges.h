@@ -110,6 +110,9 @@ public:
 
   std::vector<std::string> names() const;
 
+  /// Overpressures after the last step, in the order of names() [Pa].
+  std::vector<double> overpressures() const;
+
   /// The gauges in the syntax of entry "Loads/Gauges".
   std::string description() const;
 

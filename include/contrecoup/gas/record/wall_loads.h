@@ -54,6 +54,21 @@ public:
   /// Completes the current sample and writes all results.
   void finish() override;
 
+  bool is_active() const
+  {
+    return active_;
+  }
+  const WallFacets<dim> &facets() const
+  {
+    return facets_;
+  }
+  const LoadGauges &gauges() const
+  {
+    return gauges_;
+  }
+  /// Overpressures on facets().owned() after the last step [Pa].
+  std::vector<double> overpressures() const;
+
   /// Combines the records of all ranks for write_skin(). Collective.
   void gather_skin();
   /// Writes skin_NNNN.vtp on the first rank: the facets with their

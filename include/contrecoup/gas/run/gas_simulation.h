@@ -84,6 +84,11 @@ public:
   {
     return recorders_.template get<ProbeSet<dim>>();
   }
+  /// Pressures on the rigid body and at its gauges.
+  const WallLoads<dim> &loads() const
+  {
+    return recorders_.template get<WallLoads<dim>>();
+  }
 
   /// Adds a recorder of the program's own, which is called after all others.
   /// Call before parse_parameters(). Checkpoints hold its record: a run resumed
