@@ -15,6 +15,7 @@
 #include <contrecoup/coupling/application/body_report.h>
 #include <contrecoup/geometry/mesh/mesh_pieces.h>
 #include <contrecoup/geometry/mesh/stray_cells.h>
+#include <contrecoup/geometry/shape/composed_shapes.h>
 #include <contrecoup/io/application/check_file.h>
 #include <contrecoup/io/file/checked_file.h>
 #include <contrecoup/io/file/file_format.h>
@@ -257,7 +258,7 @@ namespace coupling
       /// Extents of the body as text.
       std::string told_box() const
       {
-        const auto box = surface_->bounding_box();
+        const auto box = own_box(*surface_);
         return brief(box.side_length(0)) + " x " + brief(box.side_length(1)) +
                " x " + brief(box.side_length(2)) + " m";
       }

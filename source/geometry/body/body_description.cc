@@ -7,6 +7,7 @@
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/geometry/body/body_description.h>
 #include <contrecoup/geometry/body/inserted_organs.h>
+#include <contrecoup/geometry/shape/composed_shapes.h>
 
 #include <filesystem>
 #include <fstream>
@@ -218,7 +219,7 @@ BodyPointer BodyDescription::create() const
 dealii::BoundingBox<3> BodyDescription::unturned_box() const
 {
   return Placement(placement_.scale(), {}, {})
-    .apply(unplaced()->surface()->bounding_box());
+    .apply(own_box(*unplaced()->surface()));
 }
 
 std::vector<OrganReference> BodyDescription::references() const

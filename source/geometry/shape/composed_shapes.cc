@@ -165,6 +165,19 @@ double Offset::reach(const Tensor<1, 3> &direction) const
 }
 
 
+BoundingBox<3> own_box(const Shape &shape)
+{
+  Point<3> lower, upper;
+  for (unsigned int d = 0; d < 3; ++d)
+  {
+    const Tensor<1, 3> axis = Point<3>::unit_vector(d);
+    lower[d] = -shape.reach(-axis);
+    upper[d] = shape.reach(axis);
+  }
+  return BoundingBox<3>({lower, upper});
+}
+
+
 PlacedShape::PlacedShape(ShapePointer shape, const Placement &placement)
   : shape_(std::move(shape))
   , placement_(placement)
@@ -177,16 +190,7 @@ ShapePointer PlacedShape::in_own_box(ShapePointer shape,
   const auto placed =
     std::make_shared<PlacedShape>(std::move(shape), placement);
   if (placement.turns())
-  {
-    Point<3> lower, upper;
-    for (unsigned int d = 0; d < 3; ++d)
-    {
-      const Tensor<1, 3> axis = Point<3>::unit_vector(d);
-      lower[d] = -placed->reach(-axis);
-      upper[d] = placed->reach(axis);
-    }
-    placed->box_ = BoundingBox<3>({lower, upper});
-  }
+    placed->box_ = own_box(*placed);
   return placed;
 }
 

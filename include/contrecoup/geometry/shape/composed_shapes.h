@@ -76,6 +76,10 @@ private:
   double growth_;
 };
 
+/// The smallest box around a shape [m], by Shape::reach(); that of
+/// Shape::bounding_box() may be wider.
+dealii::BoundingBox<3> own_box(const Shape &shape);
+
 /// A shape scaled, rotated and shifted.
 class PlacedShape : public Shape
 {
@@ -83,8 +87,7 @@ public:
   /// A shape whose box is that of the turned box.
   PlacedShape(ShapePointer shape, const Placement &placement);
 
-  /// A shape whose box is that of the turned shape itself, which takes a search
-  /// for some shapes, see reach().
+  /// A shape whose box is its own_box() if it is turned.
   static ShapePointer in_own_box(ShapePointer shape,
                                  const Placement &placement);
 
