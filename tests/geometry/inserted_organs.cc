@@ -346,9 +346,9 @@ TEST(InsertedOrgans, BendTheLegsOfWhoSits)
   // Hands at the height of the shins are no legs.
   const LabelGrid &grid = regions.grid;
   for (std::size_t v = 0; v < grid.labels.size(); ++v)
-    if (std::abs(grid.center(0, v / grid.size[0] % grid.size[1], 0)[1]) > 0.24)
-      ASSERT_FALSE(regions.is(v, Region::left_leg) ||
-                   regions.is(v, Region::right_leg));
+    ASSERT_FALSE(
+      std::abs(grid.center(0, v / grid.size[0] % grid.size[1], 0)[1]) > 0.24 &&
+      (regions.is(v, Region::left_leg) || regions.is(v, Region::right_leg)));
   EXPECT_LT(regions.arm_tip[0][2], 0.3);
 
   const BodyPointer person =

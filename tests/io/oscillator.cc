@@ -230,7 +230,13 @@ namespace io
 
   std::vector<Assumption> Oscillator::plan()
   {
-    return {{"weight", "left out", "position of the mass", "m", position_}};
+    Assumption weight;
+    weight.name = "weight";
+    weight.decision = "left out";
+    weight.quantity = "position of the mass";
+    weight.unit = "m";
+    weight.value = position_;
+    return {weight};
   }
 
   std::vector<Assumption> Oscillator::audit()
