@@ -18,6 +18,7 @@ class Plane:
         self.quantity = quantity
         self.values, self.unit = image.fields[quantity]
         self.time = image.time
+        self.place = image.place
         self.axes = image.axes
         self.lower = image.lower
         self.upper = image.upper

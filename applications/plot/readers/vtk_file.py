@@ -37,7 +37,8 @@ def read(path):
 
 
 class Image:
-    """Fields on a regular grid of points in a plane: time [s]; of both axes
+    """Fields on a regular grid of points in a plane: time [s]; its place along
+    the third axis [m]; of both axes
     their names, first and last points [m] and numbers of points; and by name
     values [second axis, first axis] with units. A ValueError names a file
     that is no such one."""
@@ -57,6 +58,7 @@ class Image:
                           for axis in axes]
             if len(axes) != 2:
                 raise ValueError("not of two dimensions")
+            self.place = origin[3 - sum(axes)]
             self.fields = {
                 name: (values.reshape(self.counts[::-1]), unit)
                 for name, (values, unit) in arrays.items()}

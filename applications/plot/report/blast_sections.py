@@ -34,7 +34,8 @@ def air(scene):
         picked = _pick(scene, cuts)
         picture = page.drawn(plane_cuts.draw_planes, picked,
                              one_scale=True)
-        axis, place = (name.split("_") + ["", ""])[1:3]
+        axis = name.split("_")[1]
+        place = f"{cuts[0].place:g}".replace("-", "−")
         parts.append(page.figure(
             picture,
             f"Maps of overpressure in the plane {axis} = {place} m, after "
@@ -44,8 +45,21 @@ def air(scene):
             f"Overpressure in the air in the plane {axis} = {place} m, with "
             "one colour scale for all times: red above, blue below the ambient "
             "pressure. Colours follow the square root of the overpressure, "
-            "which shows weak waves as well. The body is grey."))
+            "which shows weak waves as well. "
+            + ("The body is grey." if _cuts_body(scene, axis, cuts[0].place)
+               else "The body is not in this plane.")))
     return parts
+
+
+def _cuts_body(scene, axis, place):
+    """Whether a plane goes through the body, by the centres of its facets; a
+    body without recorded loads may be there."""
+    known = scene.loads()
+    if known is None or known.is_flat or not len(known.areas):
+        return True
+    along = known.centroids[:, "xyz".index(axis)]
+    size = float(np.sqrt(known.areas.max()))
+    return along.min() - size < place < along.max() + size
 
 
 def people(scene):
@@ -103,7 +117,7 @@ def _area(scene, maps, coarse, name, level):
         low, high = error_estimate.of_area(
             scene, found, injury_maps.area_above(coarse, name, level),
             injury_maps.area(maps))
-        low, high = (page.number(limit, 2) for limit in (low, high))
+        low, high = (page.number(limit) for limit in (low, high))
         words += f" (by the numerics {low} to {high} m²)" \
             if str(low) != str(high) else ""
     unknown = injury_maps.area_unknown(maps, name)
@@ -302,7 +316,9 @@ def _gauge_errors(scene, gauges):
     if not errors:
         return page.paragraph("The numerical errors of this table are unknown: "
                               "the scene has no coarser run.", kind="note")
-    least = error_estimate.least_phases(scene)
+    least = {name: phase for name, phase in
+             error_estimate.least_phases(scene).items()
+             if phase < scene.gauge_measures()[name]["positive phase"]}
     rows = [(name, *(page.error(errors[name][measure])
                      if measure in errors.get(name, {}) else "unknown"
                      for measure in error_estimate.GAUGE_MEASURES),

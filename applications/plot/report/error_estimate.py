@@ -181,6 +181,7 @@ def section(scene, judged):
             "peak; probabilities have the bounds that follow from the error of "
             "the pressure or load by their curve; what happens in the body has "
             "at least the difference of the impulse on the elements from the "
-            "recorded one; maximum and minimum brain pressure both take the larger of their "
-            "errors."),
+            "recorded one; maximum and minimum brain pressure both take the "
+            "larger of their errors, and so do fraction and mean time of the "
+            "brain at low pressure."),
         numbers=(1, 2, 3))

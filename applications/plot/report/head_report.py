@@ -566,10 +566,11 @@ def slips(run):
 
 def reproduce(run):
     """The parameter file as used."""
+    tables = [name for name in ("history.csv", "probes.csv", "injury.csv")
+              if os.path.exists(run.path(name))]
     parts = [page.paragraph(
-        f"Ranks: {run.summary.get('ranks', '–')}. Tables beside this page: "
-        "history.csv, probes.csv, injury.csv; pictures in the folder "
-        "pictures.")]
+        f"Ranks: {run.summary.get('ranks', '–')}. Tables next to this page: "
+        f"{', '.join(tables)}; pictures in the folder pictures.")]
     with files.reading(run.path("parameters.prm")), open(
             run.path("parameters.prm"), encoding="utf-8") as file:
         parts.append(page.folded_file("parameters.prm: every entry as used",

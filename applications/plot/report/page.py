@@ -20,7 +20,7 @@ import matplotlib.pyplot as plt
 
 from plot.figures import style
 
-LONGEST_ANSWER = 8  # lines on the screen
+LONGEST_ANSWER = 10  # lines on the screen
 
 STYLE = """
 :root { --ink: #1d2329; --soft: #5b6570; --line: #d9dee3; --pale: #f4f6f8;
@@ -240,7 +240,7 @@ def interval(low, high):
     if high < 0.001 or low > 0.99:
         return chance(high if high < 0.001 else low)
     low, high = ("0" if part < 5e-4 else "100" if part >= 0.995 else
-                 number(100. * part, 1 if part < 0.01 else 2)
+                 number(100. * part, 2)
                  for part in (low, high))
     return f"{low} to {high}\u00a0%" if low != high else f"{low}\u00a0%"
 
@@ -518,6 +518,11 @@ def write_page(folder, text):
 
 
 def print_answer(text):
-    """Prints the answer of a page, indented by two spaces."""
-    for line in textwrap.wrap(answer_of(text), 78)[:LONGEST_ANSWER]:
+    """Prints the answer of a page, indented by two spaces: as many whole
+    sentences as the screen has lines for."""
+    sentences = re.split(r"(?<=\.) (?=[A-Z0-9])", answer_of(text))
+    while len(lines := textwrap.wrap(" ".join(sentences), 78)) \
+            > LONGEST_ANSWER:
+        sentences.pop()
+    for line in lines:
         print("  " + line)

@@ -339,7 +339,7 @@ def timeline(scene):
         if event.lane == "skin":
             text = f"{event.what}: the wave arrives"
             if event.mark is not None:
-                text += f", second front at {page.milliseconds(event.mark)}"
+                text += f", second peak at {page.milliseconds(event.mark)}"
             text += ", positive phase " + (
                 "continues at the end of the run" if event.is_cut else
                 f"ends at {page.milliseconds(event.end)}")
@@ -353,7 +353,7 @@ def timeline(scene):
         "All events as a table", page.table(
             ("time", "event", "values"), rows, numbers=(0,), data=(
                 ("place", "medium", "begin [s]", "end of the positive phase "
-                 "[s]", "second front or largest pressure [s]", "values"),
+                 "[s]", "second peak or largest pressure [s]", "values"),
                 [(event.what, event.lane, *(
                     "" if time is None else page.Rounded("", time) for time in
                     (event.begin, None if event.is_cut else event.end,
@@ -368,9 +368,9 @@ def _timeline_chart(scene, found):
         return page.paragraph(_unnamed(scene), kind="note")
     caption = "Events since the detonation. "
     if "skin" in lanes:
-        caption += ("Bars: positive phases on the skin; triangles: second "
-                    "front, reflected by the ground or the body, or sent by the "
-                    "charge itself. ")
+        caption += ("Bars: positive phases on the skin; triangles: peak "
+                    "of a second wave, reflected by the ground, walls or the "
+                    "body, or sent by the charge itself. ")
     if "tissue" in lanes:
         caption += ("Lines: from the arrival in the tissue to the largest "
                     "absolute pressure within 2.5 ms. ")

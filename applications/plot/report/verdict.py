@@ -3,6 +3,8 @@
 """The verdict of a report in plain words: whether the person survives, and what
 becomes of eardrums, lungs and brain, with the bounds of the numerics."""
 
+import re
+
 from plot.report import error_estimate, injury_table, page
 
 # Words up to a probability, for the event itself.
@@ -37,7 +39,7 @@ def verdicts(scene, judged):
     """All that the scene allows, in the order of the sentence."""
     return [found for found in (_life(scene, judged), _ears(scene, judged),
                                 _by_tables(scene, judged, _lungs(judged)),
-                                _brain(judged)) if found]
+                                _held(scene) or _brain(judged)) if found]
 
 
 def sentence(scene, found):
@@ -224,6 +226,14 @@ def _by_tables(scene, judged, lungs):
     return Verdict(lungs.subject, lungs.words, "mid", "; ".join(filter(
         None, (lungs.detail, f"by the tables {told}, load "
                f"{page.number(found[1])}"))), lungs.entry)
+
+
+def _held(scene):
+    """The verdict on a brain whose nodes are all held."""
+    return next((Verdict("brain", "brain: not judged, since it is held by "
+                         "Biomechanics/Supports", "none")
+                 for text in scene.warnings() if re.search(
+                     r"all nodes of (the body|.*\bbrain\b)", text)), None)
 
 
 def _brain(judged):

@@ -245,7 +245,6 @@ namespace coupling
         require_elements(size.cells > 0.);
         CostEstimate cost;
         cost.cells = size.cells;
-        cost.unknowns = 3. * cost.cells;
         // The libraries, labels and node numbers of the grid, then cells.
         constexpr double libraries = 1.5e8;
         cost.memory = libraries + 5. * n_cubes +

@@ -92,7 +92,12 @@ Person::Person(dealii::ParameterHandler &prm,
     axes_ = axes_by_rotation(Placement::read_rotation(prm));
   const ShapePointer surface = body.surface();
   to_charge_ = charge - surface->bounding_box().center();
-  const Tensor<1, 3> up = axes_ ? axes_->up : Point<3>::unit_vector(2);
+  // Landmarks know the axis to a degree or so.
+  constexpr double parallel = 0.9994;
+  Tensor<1, 3> up = axes_ ? axes_->up : Point<3>::unit_vector(2);
+  for (unsigned int d = 0; d < 3; ++d)
+    if (std::abs(up[d]) > parallel)
+      up = std::copysign(1., up[d]) * Point<3>::unit_vector(d);
   length_ = surface->reach(up) + surface->reach(-up);
   if (kind_ == "phantom")
   {

@@ -115,7 +115,8 @@ double largest_trunk_peak(const std::string &folder)
 {
   const io::Json results = group_in(folder, "results");
   double largest = not_measured;
-  for (const std::string place : {"chest", "abdomen", "back"})
+  for (const std::string place :
+       {"chest", "abdomen", "back", "left_upper_arm", "right_upper_arm"})
     largest = std::fmax(largest, value_in(results, "loads_" + place + "_peak"));
   return largest;
 }

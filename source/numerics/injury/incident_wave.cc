@@ -5,6 +5,7 @@
 #include <contrecoup/numerics/injury/incident_wave.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace contrecoup
@@ -62,8 +63,16 @@ bool IncidentWave::is_tabulated(const double distance) const
 
 double IncidentWave::nearest_tabulated(double distance) const
 {
+  double outside = distance;
   while (!is_tabulated(distance))
+  {
+    outside = distance;
     distance *= distance < of_impulse_.scaling_length() ? step : 1. / step;
+  }
+  for (double middle = 0.5 * (outside + distance);
+       std::abs(distance - outside) > 1e-6 * distance;
+       middle = 0.5 * (outside + distance))
+    (is_tabulated(middle) ? distance : outside) = middle;
   return distance;
 }
 

@@ -51,3 +51,15 @@ TEST(IncidentWave, IsThatOfThePointSourceBeyondTheTables)
   EXPECT_TRUE(std::isnan(wave.value(BlastQuantity::impulse, far)));
   EXPECT_GT(wave.nearest_duration(far), wave.nearest_duration(2.));
 }
+
+
+TEST(IncidentWave, FindsTheEndOfTheTables)
+{
+  // Both masses scale; the end of each is 40 m/kg^(1/3).
+  const IncidentWave wave = two_kilograms();
+  const double farthest = wave.nearest_tabulated(1000.);
+  EXPECT_NEAR(farthest, 40. * std::cbrt(2. * 1.19), 1e-4);
+  EXPECT_TRUE(wave.is_tabulated(farthest));
+  EXPECT_NEAR(wave.nearest_tabulated(500.), farthest, 1e-3);
+  EXPECT_EQ(wave.nearest_tabulated(3.), 3.);
+}
