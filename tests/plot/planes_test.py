@@ -30,7 +30,7 @@ class PlanesTest(unittest.TestCase):
             os.path.join(self.folder, "fields", name),
             fields_of or {"pressure": (self.values + time, "Pa"),
                           "density": (2. * self.values, "kg/m^3")},
-            [0.5, -1.], [3.5, 1.], time, axes)
+            [0.5, -1.], [3.5, 1.], time, axes, -0.4)
 
     def test_series(self):
         """Outputs of a plane are one list for each quantity, by time."""
@@ -42,6 +42,7 @@ class PlanesTest(unittest.TestCase):
         first, last = found["plane_y_0_pressure"]
         self.assertEqual((first.time, last.time), (1., 3.))
         self.assertEqual((first.unit, first.axes), ("Pa", ["x", "z"]))
+        self.assertEqual(first.place, -0.4)
         self.assertEqual((first.lower, first.upper), ([0.5, -1.], [3.5, 1.]))
         np.testing.assert_array_equal(last.values, self.values + 3.)
         self.assertEqual(first.extent(), [0., 4., -1.5, 1.5])

@@ -781,7 +781,7 @@ class ReportTest(unittest.TestCase):
             known = injury_thresholds.KNOWN[
                 "ear_rupture" if place.startswith("ear") else place]
             scene = types.SimpleNamespace(
-                loads=lambda: None, fact=lambda name: None,
+                loads=lambda: None, fact=lambda name: None, warnings=dict,
                 table_answer=lambda name: (0.5, 0.9)
                 if name == "eardrum_rupture" else (None, None))
             found = verdict.verdicts(scene, [injury_table.Judged(
@@ -1143,11 +1143,23 @@ class ReportTest(unittest.TestCase):
             self.assertEqual(found.words, words)
         self.assertEqual(verdict._lungs([wall, skin]).words,
                          "lung injury possible")
+        self.assertNotIn(verdict.UNSURE, str(verdict._lungs([wall, skin])))
+        skin.error = 0.5
+        self.assertIn(verdict.UNSURE, str(verdict._lungs([wall, skin])))
         # Without a gauge at chest and back the load alone decides, or nothing.
         self.assertEqual(verdict._lungs([skin]).words, "lung injury possible")
         mesh = judged("injury_chest_wall_velocity_mesh", 1.)
         self.assertEqual(verdict._lungs([mesh]).words, "lungs not judged")
         self.assertIsNone(verdict._lungs([]))
+
+    def test_brains_that_are_held_have_no_verdict(self):
+        for what, is_held in (("the body", True), ("brain and lung", True),
+                              ("lung", False)):
+            text = (f"Supports/Support all selects all nodes of {what} in x, y "
+                    "and z: no load moves or strains what is held so")
+            found = verdict._held(types.SimpleNamespace(
+                warnings=lambda: {"other": [], text: ["biomechanics"]}))
+            self.assertEqual(found is not None, is_held, what)
 
     def test_lungs_by_the_tables(self):
         """Where one of run and tables alone has a load above the threshold, that

@@ -32,9 +32,9 @@ def write(path, head, data):
         file.write(head.encode() + b'<AppendedData encoding="raw">\n_' + data)
 
 
-def write_plane(path, fields, lower, upper, time=0., axes="xz"):
+def write_plane(path, fields, lower, upper, time=0., axes="xz", place=0.):
     """Fields {name: (values, unit)} with values [second axis, first axis]
-    between two corners [m]."""
+    between two corners, at a place along the third axis [m]."""
     counts = next(iter(fields.values()))[0].shape[::-1]
     extent, origin, spacing = [], [], []
     for axis in "xyz":
@@ -45,7 +45,7 @@ def write_plane(path, fields, lower, upper, time=0., axes="xz"):
             spacing.append((upper[at] - lower[at]) / (counts[at] - 1))
         else:
             extent += [0, 0]
-            origin.append(0.)
+            origin.append(place)
             spacing.append(1.)
     head, data = appended(
         (name, np.ascontiguousarray(values, float), 1, unit)

@@ -38,10 +38,9 @@ def read(path):
 
 class Image:
     """Fields on a regular grid of points in a plane: time [s]; its place along
-    the third axis [m]; of both axes
-    their names, first and last points [m] and numbers of points; and by name
-    values [second axis, first axis] with units. A ValueError names a file
-    that is no such one."""
+    the third axis [m]; of both axes their names, first and last points [m] and
+    numbers of points; and by name values [second axis, first axis] with units.
+    A ValueError names a file that is no such one."""
 
     def __init__(self, path):
         head, arrays = _open(path)

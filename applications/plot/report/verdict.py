@@ -176,16 +176,18 @@ def _load(judged):
 def _lungs(judged):
     entry = injury_table.find(judged, "chest_wall_mean")
     load = _load(judged)
+    unsure = f", {UNSURE}" \
+        if load is not None and load.is_certain() is False else ""
     if load is not None and load.exceeded() and not (
             entry is not None and entry.exceeded()):
         # Of two measures the worse one counts.
         return Verdict("lungs", POSSIBLE, "mid",
                        f"load {load.shown()} of the median lethal one, above "
-                       f"the {load.meaning()}", load)
+                       f"the {load.meaning()}{unsure}", load)
     if entry is None and load is not None:
         return Verdict("lungs", SOUND, injury_table.severity(load),
                        f"by the load alone, {load.shown()} of the median "
-                       "lethal one", load)
+                       f"lethal one{unsure}", load)
     if entry is None:
         mesh = injury_table.find(judged, "injury_chest_wall_velocity_mesh")
         return mesh and Verdict("lungs", "lungs not judged", "none",
