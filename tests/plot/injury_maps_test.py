@@ -69,12 +69,12 @@ class InjuryMapsTest(unittest.TestCase):
         coarser["eardrum_rupture"][0][:, 2] = 0.
         coarser["lung_lethality"][0][:] = 0.
         self.write(coarser, os.path.join(self.folder, "coarser_blast"))
-        self.assertIn("eardrums would rupture on 1.25 m² (by the numerics 0.45 "
-                      "to 2.0 m²)", told())
+        self.assertIn("eardrums would rupture on 1.25 m² (by the numerics 0.449 "
+                      "to 2.00 m²)", told())
         self.assertIn("people would die on 1.25 m² (by the numerics 0 to "
-                      "2.0 m²)", told())
-        self.assertIn("4 psi are exceeded on 1.25 m² (by the numerics 1.2 to "
-                      "1.3 m²)", told())
+                      "2.00 m²)", told())
+        self.assertIn("4 psi are exceeded on 1.25 m² (by the numerics 1.23 to "
+                      "1.27 m²)", told())
 
     def test_groups(self):
         """Injuries stand beside the maps of the blast, where there are any."""
