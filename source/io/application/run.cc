@@ -122,9 +122,12 @@ namespace io
         }))
       return;
     const auto coarse = coarse_plan(description_, prm_, collective_);
+    // Other figures of coarse cells are not those of a scene's run.
+    const bool is_part = static_cast<bool>(description_.on_cost_estimate);
     for (Assumption &item : plan_)
       if (const Assumption *known = find_assumption(coarse, item.name);
-          known != nullptr && std::isnan(item.value))
+          known != nullptr && std::isnan(item.value) &&
+          (!is_part || item.name == "first_stage"))
         item.value = known->value;
   }
 
