@@ -5,6 +5,7 @@
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/solid/boundary/recorded_loads.h>
 
+#include "../named_value.h"
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -44,11 +45,7 @@ std::shared_ptr<solid::RecordedLoads> read_loads(const std::string &file,
 
 double audited(const solid::RecordedLoads &loads, const std::string &name)
 {
-  for (const NamedValue &value : loads.check_values())
-    if (value.name == name)
-      return value.value;
-  ADD_FAILURE() << "no value " << name;
-  return 0.;
+  return value_of(loads.check_values(), name);
 }
 } // namespace
 

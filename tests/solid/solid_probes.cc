@@ -8,6 +8,7 @@
 #include <contrecoup/solid/body/tissue_average.h>
 #include <contrecoup/solid/record/solid_probes.h>
 
+#include "../named_value.h"
 #include "bone_and_brain.h"
 #include <gtest/gtest.h>
 
@@ -27,15 +28,6 @@ std::vector<double> averages_of(const solid::SolidBody<double> &body,
   return average.average(pressures);
 }
 
-/// Value of a column of all probes.
-double value_of(const solid::SolidProbes &probes, const std::string &name)
-{
-  for (const NamedValue &value : probes.values())
-    if (value.name == name)
-      return value.value;
-  ADD_FAILURE() << "no column " << name;
-  return 0.;
-}
 } // namespace
 
 
@@ -87,11 +79,12 @@ TEST(SolidProbes, AveragedPressureIsThatOfTheTissueAverage)
         probes.parse_parameters(prm);
         probes.reinit(body.mesh(), MPI_COMM_WORLD);
         probes.read(body);
-        EXPECT_NEAR(value_of(probes, "probe_1_averaged_pressure"),
+        EXPECT_NEAR(value_of(probes.values(), "probe_1_averaged_pressure"),
                     known[3],
                     1e-10 * std::abs(known[3]));
-        EXPECT_GT(std::abs(value_of(probes, "probe_1_pressure") - known[3]),
-                  1e-3 * std::abs(known[3]));
+        EXPECT_GT(
+          std::abs(value_of(probes.values(), "probe_1_pressure") - known[3]),
+          1e-3 * std::abs(known[3]));
       }
   }
 }

@@ -3,6 +3,7 @@
 
 #include <contrecoup/gas/run/gas_simulation.h>
 
+#include "../../named_value.h"
 #include "../gas_run.h"
 #include <gtest/gtest.h>
 
@@ -85,16 +86,6 @@ double nearest(const WallLoads<3> &loads, const dealii::Point<3> &place)
       sum += overpressures[i];
   return dealii::Utilities::MPI::sum(sum, MPI_COMM_WORLD);
 }
-
-
-double value(const std::vector<NamedValue> &values, const std::string &name)
-{
-  for (const NamedValue &value : values)
-    if (value.name == name)
-      return value.value;
-  ADD_FAILURE() << "no value " << name;
-  return 0.;
-}
 } // namespace
 
 
@@ -119,7 +110,7 @@ TEST(WallLoads, OverpressuresAfterEachStepMakeTheImpulse)
   }
   EXPECT_GT(loads.gauges().overpressures().at(0), 1.46);
   // A quarter of the sphere counts four times.
-  EXPECT_NEAR(value(blast.results(), "loads_impulse_x"),
+  EXPECT_NEAR(value_of(blast.results(), "loads_impulse_x"),
               4. * impulse,
               1e-12 * std::abs(impulse));
 }

@@ -4,6 +4,7 @@
 #include <contrecoup/gas/run/modelling_plan.h>
 #include <contrecoup/numerics/injury/expected_blast.h>
 
+#include "../../named_value.h"
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -32,15 +33,6 @@ ModellingPlan<2> quarter()
   return plan;
 }
 
-double value(const std::vector<Assumption> &items, const std::string &name)
-{
-  for (const Assumption &item : items)
-    if (item.name == name)
-      return item.value;
-  ADD_FAILURE() << "no item " << name;
-  return 0.;
-}
-
 bool fails(const ModellingPlan<2> &plan, const std::string &name)
 {
   for (const Assumption &item : plan.plan())
@@ -56,7 +48,7 @@ TEST(ModellingPlan, KnowsTheFirstReflection)
 {
   const ModellingPlan<2> plan = quarter();
   const ExpectedBlast blast(4e6, pressure, density);
-  EXPECT_DOUBLE_EQ(value(plan.plan(), "reflection"), blast.arrival(4.));
+  EXPECT_DOUBLE_EQ(value_of(plan.plan(), "reflection"), blast.arrival(4.));
 
   // x = 3 was reached at 5 ms, y = 5 not yet.
   ModellingPlan<2>::Measurements measured;
@@ -64,11 +56,11 @@ TEST(ModellingPlan, KnowsTheFirstReflection)
   measured.smallest_subcell = 0.01;
   measured.side_arrivals.fill(OpenSides<2>::never);
   measured.side_arrivals[1] = 0.005;
-  EXPECT_DOUBLE_EQ(value(plan.audit(measured), "reflection"),
+  EXPECT_DOUBLE_EQ(value_of(plan.audit(measured), "reflection"),
                    0.005 + 1. / sound_speed);
   // No side was reached: nothing can be back sooner than from the nearest.
   measured.side_arrivals[1] = OpenSides<2>::never;
-  EXPECT_DOUBLE_EQ(value(plan.audit(measured), "reflection"),
+  EXPECT_DOUBLE_EQ(value_of(plan.audit(measured), "reflection"),
                    0.008 + 1. / sound_speed);
 }
 
@@ -98,7 +90,7 @@ TEST(ModellingPlan, KnowsWhatItLeavesOut)
   plan.probes = {dealii::Point<2>(30., 0.)};
   EXPECT_TRUE(fails(plan, "gravity"));
   // sqrt(nu t) with nu = 1.8e-5 / 1.225.
-  EXPECT_NEAR(value(plan.plan(), "viscosity"),
+  EXPECT_NEAR(value_of(plan.plan(), "viscosity"),
               std::sqrt(1.8e-5 / 1.225 * 2.) / 1e-4,
               1e-10);
 }
@@ -109,9 +101,9 @@ TEST(ModellingPlan, EstimatesTheQuietPart)
 {
   ModellingPlan<2> plan = quarter();
   plan.end_time = 1.;
-  EXPECT_LT(value(plan.plan(), "quiet_leaves"), 0.02);
+  EXPECT_LT(value_of(plan.plan(), "quiet_leaves"), 0.02);
   plan.end_time = 1e-5;
-  EXPECT_GT(value(plan.plan(), "quiet_leaves"), 0.95);
+  EXPECT_GT(value_of(plan.plan(), "quiet_leaves"), 0.95);
 }
 
 TEST(ModellingPlan, SaysWhatFractionOfTheGasSumsAreOf)
@@ -120,10 +112,10 @@ TEST(ModellingPlan, SaysWhatFractionOfTheGasSumsAreOf)
   for (const Assumption &item : plan.plan())
     EXPECT_NE(item.name, "modelled_part");
   plan.n_symmetry_planes = 2;
-  EXPECT_EQ(value(plan.plan(), "modelled_part"), 0.25);
+  EXPECT_EQ(value_of(plan.plan(), "modelled_part"), 0.25);
   ModellingPlan<2>::Measurements measured;
   measured.side_arrivals.fill(OpenSides<2>::never);
-  EXPECT_EQ(value(plan.audit(measured), "modelled_part"), 0.25);
+  EXPECT_EQ(value_of(plan.audit(measured), "modelled_part"), 0.25);
 }
 
 // The nearest side that is no plane through the charge is x = 3.
@@ -132,9 +124,10 @@ TEST(ModellingPlan, KnowsHowLongOneDimensionWouldDo)
   ModellingPlan<2> plan = quarter();
   plan.end_time = 0.1;
   const ExpectedBlast blast(4e6, pressure, density);
-  EXPECT_DOUBLE_EQ(value(plan.plan(), "first_stage"), blast.arrival(3.) / 0.1);
+  EXPECT_DOUBLE_EQ(value_of(plan.plan(), "first_stage"),
+                   blast.arrival(3.) / 0.1);
   plan.end_time = 1e-4;
-  EXPECT_EQ(value(plan.plan(), "first_stage"), 1.);
+  EXPECT_EQ(value_of(plan.plan(), "first_stage"), 1.);
 }
 
 TEST(ModellingPlan, AsksForAnEquationOfStateOfProducts)
@@ -146,17 +139,17 @@ TEST(ModellingPlan, AsksForAnEquationOfStateOfProducts)
   measured.side_arrivals.fill(OpenSides<2>::never);
   measured.non_ideal_fraction = 0.25;
   // What came with a first stage is not in the plan of the second.
-  EXPECT_EQ(value(plan.audit(measured), "equation_of_state"), 0.25);
+  EXPECT_EQ(value_of(plan.audit(measured), "equation_of_state"), 0.25);
   plan.non_ideal_fraction = 0.75;
-  EXPECT_EQ(value(plan.plan(), "equation_of_state"), 0.75);
-  EXPECT_EQ(value(plan.audit(measured), "equation_of_state"), 0.25);
+  EXPECT_EQ(value_of(plan.plan(), "equation_of_state"), 0.75);
+  EXPECT_EQ(value_of(plan.audit(measured), "equation_of_state"), 0.25);
 }
 
 TEST(ModellingPlan, SaysNothingOfUnknownBlastsAndOtherGases)
 {
   ModellingPlan<2> plan = quarter();
   plan.energy = 0.;
-  EXPECT_TRUE(std::isnan(value(plan.plan(), "reflection")));
+  EXPECT_TRUE(std::isnan(value_of(plan.plan(), "reflection")));
   EXPECT_TRUE(std::isnan(plan.expected_front(1.)));
   plan.ambient.pressure = 1.;
   for (const Assumption &item : plan.plan())
