@@ -765,6 +765,32 @@ class ReportTest(unittest.TestCase):
             self.assertEqual("above the ground" in words, is_late)
             self.assertEqual("by the ground" in words, not is_late)
 
+    def test_walls_in_the_drawing(self):
+        """To scale within the picture, arrows to those beyond, words beside
+        the plane of the picture, and none of an open side."""
+        style.set_up()
+        for side, place, patches, words in (
+                ("x_low", -0.4, 1, "wall at x = -0.4 m, 1 m from the body"),
+                ("x_high", 9., 0, "wall at x = 9 m, 1 m from the body →"),
+                ("z_high", 9., 0, "↑ wall at z = 9 m, 1 m from the body"),
+                ("y_high", 0.9, 0,
+                 "wall at y = 0.9 m, 1 m from the body, behind")):
+            shown = []
+            for kind in ("open", "wall"):
+                scene = Scene(self.whole)
+                scene.facts["plan"] = [{
+                    "item": f"side_{side}", "estimate": "1 m",
+                    "decision": f"{kind} at {side[0]} = {place:g} m"}]
+                figure = scene_sections._draw(scene)
+                axis, = figure.axes
+                shown.append((len(axis.patches),
+                              [text.get_text() for text in axis.texts]))
+                self.assertEqual(labels.faults(figure), [])
+                style.plt.close(figure)
+            self.assertEqual(shown[1][0] - shown[0][0], patches)
+            self.assertIn(words, shown[1][1])
+            self.assertNotIn("wall", "".join(shown[0][1]))
+
     def test_verdicts(self):
         """Words for each probability, and for levels of lung injury."""
         for place, value, words in (
@@ -927,6 +953,17 @@ class ReportTest(unittest.TestCase):
             self.assertEqual(signals.find_peaks(time, values)[1] is not None,
                              found)
 
+    def test_third_front(self):
+        """It is not the second one, though it is the larger rise; that is not
+        an oscillation behind the first."""
+        time = np.linspace(0., 10., 1001)
+        for level, moment in ((0.5, 4.), (-0.7, 6.)):
+            values = np.interp(time, [0., 1., 1.1, 3., 4., 5., 6., 10.],
+                               [0., 0., 1., -1., level, -1., 1., 0.])
+            first, second = signals.find_peaks(time, values)
+            self.assertAlmostEqual(time[first], 1.1)
+            self.assertAlmostEqual(time[second], moment)
+
     def test_arrival(self):
         """The middle of the first rise, on skin and in tissue."""
         time = np.linspace(0., 4., 4001)
@@ -1057,6 +1094,18 @@ class ReportTest(unittest.TestCase):
                 blast=types.SimpleNamespace(
                     found=lambda _, name: results[name]))
             self.assertEqual(reflections.reflectors(scene), words)
+
+    def test_front_slower_than_its_mean(self):
+        """A reflection that the mean speed of the front until its arrival
+        allows, but not the speed that its peak gives it there."""
+        place = np.array([0., 0., 1.5])
+        for peak, is_late in ((None, False), (400e3, True), (8e6, False)):
+            scene = types.SimpleNamespace(
+                charge_place=lambda: np.array([0.45, 0., 1.5]),
+                list_of=lambda _, peak=peak: [
+                    {"name": "peak_overpressure", "run": peak, "tables": None}])
+            self.assertEqual(reflections.is_late(scene, place, 3e-4, 4e-3),
+                             is_late)
 
     def test_other_items_of_the_answer(self):
         """A longer phase on the skin, missing energy, a tissue with hourglass

@@ -5,6 +5,7 @@
 import numpy as np
 
 ARRIVED = 0.05  # of the largest absolute value
+LIKE_LARGEST = 0.4  # of a rise: what is less may be an oscillation behind a front
 ROUND_OFF = 1e-6  # of single precision, as a part of the largest absolute value
 
 
@@ -107,9 +108,10 @@ def low_pass(time, values, bandwidth):
 
 
 def find_peaks(time, over):
-    """Indices of the first peak and of the second one: the top of the largest
-    rise after the first peak, if that is a tenth of the peak at least, above
-    the ambient pressure, and not the end, where the pressure may rise on."""
+    """Indices of the first peak and of the second one: the top of the first
+    rise after it that is above the ambient pressure, of a tenth of the peak and
+    LIKE_LARGEST of the largest later rise at least, and not the end, where the
+    pressure may rise on."""
     if np.max(over) <= 0.:
         return None, None
     # The first peak ends where a fifth of it is lost again.
@@ -119,10 +121,17 @@ def find_peaks(time, over):
             first = i
         elif over[i] < 0.8 * over[first] and over[first] > 0.3 * np.max(over):
             break
-    later = over[first:]
-    rise = later - np.minimum.accumulate(later)
-    second = first + int(np.argmax(rise))
-    if np.max(rise) < 0.1 * over[first] or second in (first, len(over) - 1) \
-            or over[second] <= 0.:
-        return first, None
-    return first, second
+    later = over[first:] - np.minimum.accumulate(over[first:])
+    least = max(0.1 * over[first], LIKE_LARGEST * np.max(later))
+    top = first
+    while True:
+        rise = over[top:] - np.minimum.accumulate(over[top:])
+        if not np.max(rise) >= least:
+            return first, None
+        rise[:int(np.argmax(rise >= least))] = 0.
+        lost = np.flatnonzero(rise < 0.8 * np.maximum.accumulate(rise))
+        top += int(np.argmax(rise[:lost[0]] if lost.size else rise))
+        if top == len(over) - 1:
+            return first, None
+        if over[top] > 0.:
+            return first, top

@@ -4,6 +4,8 @@
 
 import math
 
+import numpy as np
+
 from plot.readers import files
 from plot.report import page
 
@@ -20,13 +22,16 @@ def reflectors(scene, has_ground=True):
 def walls(scene):
     """Sides of the domain that reflect, by the user's choice, in words: "wall at
     x = 0.64 m, 0.45 m from the body"."""
-    found = []
-    for row in scene.list_of("plan"):
-        words = str(row.get("decision"))
-        if str(row.get("item")).startswith("side_") and \
-                words.startswith(("wall", "symmetry")):
-            found.append(f"{words}, {row.get('estimate')} from the body")
-    return found
+    return [words for _, words in wall_sides(scene)]
+
+
+def wall_sides(scene):
+    """The same with the names of the sides, such as "x_low"."""
+    return [(str(row["item"])[5:],
+             f"{row.get('decision')}, {row.get('estimate')} from the body")
+            for row in scene.list_of("plan")
+            if str(row.get("item")).startswith("side_")
+            and str(row.get("decision")).startswith(("wall", "symmetry"))]
 
 
 def note(scene):
@@ -60,13 +65,31 @@ def _reflections(scene):
             f"reflections by {reflectors(scene)} add to impulse and duration.")
 
 
-def is_late(charge, place, arrival, time):
+def is_late(scene, place, arrival, time):
     """Whether the ground's reflection comes to a place after a time, even with
-    the mean speed of the direct wave until its arrival, which is faster than
-    any later part of its path."""
+    the speed that the front of the direct wave has at its arrival there and
+    beyond, which no later part of the reflection's path exceeds."""
+    charge = scene.charge_place()
     direct = math.dist(charge, place)
     mirrored = math.hypot(*(charge - place)[:2], charge[2] + place[2])
-    return arrival * mirrored / max(direct, 1e-300) > time
+    peak = _incident_peak(scene)
+    if not peak:
+        return arrival * mirrored / max(direct, 1e-300) > time
+    # Behind that place the overpressure of a spherical wave falls faster than
+    # one over the radius. The relation of Rankine and Hugoniot in standard air.
+    radii = np.linspace(direct, mirrored, 200)
+    speeds = 340.3 * np.sqrt(1. + 6. / 7. * peak / 101325. * direct / radii)
+    return arrival + (mirrored - direct) * np.mean(1. / speeds) > time
+
+
+def _incident_peak(scene):
+    """Overpressure in the open at the body's distance [Pa], the larger one of
+    run and tables; 0 where neither knows it."""
+    rows = [row for row in scene.list_of("table_comparison")
+            if row.get("name") == "peak_overpressure"]
+    known = [files.as_number(row.get(key)) for row in rows
+             for key in ("run", "tables")]
+    return max((peak for peak in known if peak is not None), default=0.)
 
 
 def _ground_is_late(scene):
@@ -76,4 +99,4 @@ def _ground_is_late(scene):
                          for name in ("arrival", "duration"))
     if charge is None or probe is None or not arrival or not duration:
         return False
-    return is_late(charge, probe, arrival, arrival + duration)
+    return is_late(scene, probe, arrival, arrival + duration)

@@ -18,6 +18,7 @@ EXPLOSIVE_DENSITY = {"tnt": 1630., "c-4": 1601., "petn": 1770.}
 # After the onset of pressure in tissue, when waves pass that are not echoes
 # of echoes yet [s].
 FIRST_WAVES = 2.5e-3
+SOLID = "#cfc9be"  # colour of ground and walls
 
 
 def facts(scene):
@@ -110,7 +111,9 @@ def section(scene):
         f"{page.given(float(scene.charge_place()[2]), 'm')} above the "
         "ground, and of the body before it, seen from the side.",
         f"The scene from the side, to scale. {ways}{_beside(scene)}Grey: the "
-        "skin that the blast loads.", "svg"))
+        "skin that the blast loads."
+        + (" Above the picture: walls; arrows lead to those beyond its border."
+           if reflections.walls(scene) else ""), "svg"))
     return parts
 
 
@@ -144,7 +147,7 @@ def _draw(scene):
     if has_ground:
         # As high as the words on it need.
         bottom = -0.08 * top
-        axis.axhspan(bottom, 0., color="#cfc9be", linewidth=0.)
+        axis.axhspan(bottom, 0., color=SOLID, linewidth=0.)
     left, right = corners[:, 0].min() - 0.4, corners[:, 0].max() + 0.5
     side = max(0., 0.8 * (top - bottom) - (right - left)) / 2.
     axis.set_xlim(left - side, right + side)
@@ -152,6 +155,7 @@ def _draw(scene):
     axis.set_aspect("equal")
     axis.set_xlabel("x [m]")
     axis.set_ylabel("z [m]")
+    _draw_walls(scene, axis)
     # Words stand on that side of the charge where no way begins.
     away = -1. if target is not None and charge[0] < target[0] else 1.
     _draw_charge(scene, axis, away, has_ground)
@@ -177,7 +181,7 @@ def _ground_is_late(scene):
         return False
     arrivals = scene.loads().measure("arrival")
     return bool(np.any(arrivals > 0.)) and reflections.is_late(
-        scene.charge_place(), target, float(arrivals[arrivals > 0.].min()), end)
+        scene, target, float(arrivals[arrivals > 0.].min()), end)
 
 
 def _draw_body(scene, axis):
@@ -192,6 +196,36 @@ def _draw_body(scene, axis):
                 extent=(low[0], high[0], low[1], high[1]))
     axis.grid(False)
     return [low, high]
+
+
+def _draw_walls(scene, axis):
+    """Walls within the picture, and words for all of them above it."""
+    told = {"left": [], "right": []}
+    for side, words in reflections.wall_sides(scene):
+        direction, end = side.split("_")
+        if side == "z_low":
+            continue  # the ground
+        align = "right" if side in ("x_high", "y_high") else "left"
+        if direction == "y":
+            # The picture is seen from -y.
+            words += ", behind" if end == "high" else ", before it"
+        else:
+            low, high = axis.get_xlim() if direction == "x" \
+                else axis.get_ylim()
+            place = float(re.search(r"= (\S+) m", words)[1])
+            if low < place < high:
+                span = axis.axvspan if direction == "x" else axis.axhspan
+                span(place, high if end == "high" else low, color=SOLID,
+                     linewidth=0.)
+            else:
+                arrow = {"x_low": "←", "x_high": "→", "z_high": "↑"}[side]
+                words = f"{words} {arrow}" if align == "right" \
+                    else f"{arrow} {words}"
+        told[align].append(words)
+    for align, lines in told.items():
+        axis.annotate("\n".join(lines), (float(align == "right"), 1.), (0., 4.),
+                      xycoords="axes fraction", textcoords="offset points",
+                      ha=align, va="bottom", fontsize=9)
 
 
 def _draw_charge(scene, axis, away, has_ground):
