@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/io/application/cost_forecast.h>
+#include <contrecoup/io/application/cost_laws.h>
 #include <contrecoup/io/file/temporary_folder.h>
 #include <contrecoup/io/run/cost_cache.h>
 #include <contrecoup/io/run/plan_table.h>
@@ -165,4 +166,12 @@ TEST(Plan, SumsWhatIsKnownOfAllStages)
   EXPECT_EQ(unknown.memory, 0.);
   EXPECT_EQ(unknown.cells, 0.);
   EXPECT_EQ(unknown.seconds, 0.);
+  CostEstimate gas;
+  gas.steps = gas.seconds = 100.;
+  const auto without_cells =
+    total_of({{"anatomy", mesh}, {"blast", gas}, {"report", drawing}});
+  EXPECT_EQ(without_cells.memory, 0.);
+  EXPECT_EQ(without_cells.cells, 0.);
+  EXPECT_EQ(without_cells.output, 0.);
+  EXPECT_EQ(without_cells.seconds, 113.);
 }

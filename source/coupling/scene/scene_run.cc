@@ -121,11 +121,15 @@ void SceneRun::show_stages(const StageCosts &costs) const
   for (const SceneTask &task : tasks_)
     names.push_back(task.name() +
                     (task.is_finished() ? " (finished before)" : ""));
+  std::vector<std::string> known;
+  if (total.seconds > 0.)
+    known.push_back("about " + duration(total.seconds));
+  if (total.memory > 0.)
+    known.push_back(bytes(total.memory) + " of memory");
+  if (total.output > 0.)
+    known.push_back(bytes(total.output) + " on disk");
   show_line("  stages: " + join(names, ", ") +
-            (total.seconds > 0. ? "; about " + duration(total.seconds) + ", " +
-                                    bytes(total.memory) + " of memory, " +
-                                    bytes(total.output) + " on disk"
-                                : ""));
+            (known.empty() ? "" : "; " + join(known, ", ")));
 }
 
 

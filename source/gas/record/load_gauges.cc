@@ -61,6 +61,14 @@ namespace
   }
 
 
+  /// Whether a landmark has no counterpart on the other side of the body, whose
+  /// gauge would stand for both.
+  bool is_of_the_middle(const std::string &name)
+  {
+    return !begins_with(name, "left ") && !begins_with(name, "right ");
+  }
+
+
   /// The position in the box and, in 2-D, in the plane of the scene that is
   /// nearest to a place; none where that is farther than @p tolerance [m].
   template <int dim>
@@ -129,9 +137,16 @@ void LoadGauges::parse_parameters(dealii::ParameterHandler &prm,
   // The middle of a body that was scanned is not exactly a plane of symmetry.
   const double tolerance = 0.25 * radius_;
   for (const Landmark &landmark : body.landmarks())
-    if (const auto place =
-          place_inside(landmark.place, lower, upper, tolerance))
+  {
+    const bool is_central = is_of_the_middle(landmark.name);
+    if (const auto place = place_inside(
+          landmark.place, lower, upper, is_central ? radius_ : tolerance))
       add_place(landmark.name, *place, body);
+    else if (is_central)
+      log_line("WARNING: the " + landmark.name + " of the body, " +
+               coordinates(landmark.place) +
+               " m, is outside of the domain and has no gauge");
+  }
   for (const std::string &text : split(prm.get("Gauges"), ';'))
   {
     if (text.empty())

@@ -7,6 +7,7 @@
 #include <contrecoup/base/system/memory.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/io/application/cost_forecast.h>
+#include <contrecoup/io/application/cost_laws.h>
 #include <contrecoup/io/run/cost_cache.h>
 
 #include <algorithm>
@@ -27,6 +28,12 @@ namespace io
     /// Limits for the trials of long runs: fraction of the run's processor
     /// time, and number of budgets.
     constexpr double long_run_part = 0.01, most_budgets = 5.;
+    /// Largest factor between the steps of a trial and what those before it
+    /// foretell for which the forecast is believed.
+    constexpr double most_surprise = 1.4;
+    /// Largest growth of cells with levels for which layers are refined, over
+    /// the dimension; it is 1 where everything is, and 3/4 in the end.
+    constexpr double most_growth = 0.85;
 
     const TrialStage &stage_like(const Trial &trial, const TrialStage &stage)
     {
@@ -35,26 +42,6 @@ namespace io
         if (other.dimension == stage.dimension)
           return other;
       return none;
-    }
-
-    /// A quantity of a mesh of @p cells, linear in the cells, from those of two
-    /// trials; but it grows at least like the given power of the cells, because
-    /// noise in short trials hides the part that grows.
-    double grow_with_cells(const double cells_before,
-                           const double before,
-                           const double cells_last,
-                           const double last,
-                           const double cells,
-                           const double least_power)
-    {
-      const double whole = last * cells / cells_last;
-      if (!(before > 0.) || !(cells_last > cells_before))
-        return whole;
-      const double slope = (last - before) / (cells_last - cells_before);
-      const double least = last * std::pow(cells / cells_last, least_power);
-      return std::clamp(last + slope * (cells - cells_last),
-                        std::min(least, whole),
-                        std::max(least, whole));
     }
 
     double mean_cells(const TrialStage &stage)
@@ -187,7 +174,13 @@ namespace io
         result.steps += steps;
         result.seconds += steps * step_seconds(earlier, stage, cells);
       }
-      result.unknowns = std::round(result.cells * last.unknowns_per_cell);
+      // Nodes of a skin are fewer for each cell of finer meshes.
+      result.unknowns = std::round(
+        result.cells *
+        (trials.before.unknowns_per_cell > 0.
+           ? extrapolate_to_limit(
+               trials.before.unknowns_per_cell, last.unknowns_per_cell, n, gap)
+           : last.unknowns_per_cell));
       result.seconds += trials.grown(&Trial::setup_seconds, 0., dimension) +
                         trials.grown(&Trial::output_seconds, 0., dimension);
       if (!last.stages.empty())
@@ -234,6 +227,61 @@ namespace io
                      prm});
       result.memory = extrapolate_memory(trials, result.cells);
       return result;
+    }
+
+    double all_steps(const Trial &trial)
+    {
+      double steps = 0.;
+      for (const TrialStage &stage : trial.stages)
+        steps += stage.steps;
+      return steps;
+    }
+
+    /// Whether trials before the last one foretell its steps; one level that is
+    /// left is believed without.
+    bool knows_steps(const std::vector<Trial> &trials,
+                     const bool adapts,
+                     const dealii::ParameterHandler &prm)
+    {
+      const Trial &last = trials.back();
+      if (trials.size() < 3)
+        return last.levels <= 1;
+      std::vector<Trial> earlier(trials.begin(), trials.end() - 1);
+      for (Trial &trial : earlier)
+        trial.levels -= last.levels;
+      const double foretold =
+        extrapolate(earlier, last.known_cells, adapts, prm).steps;
+      return std::abs(std::log(foretold / all_steps(last))) <
+             std::log(most_surprise);
+    }
+
+    /// Whether the last trials refine layers, not everything still.
+    bool knows_cells(const std::vector<Trial> &trials)
+    {
+      if (trials.size() < 2)
+        return true;
+      const Trial &before = trials[trials.size() - 2], &last = trials.back();
+      const double rate =
+        std::log2(largest_cells(last) / std::max(1., largest_cells(before))) /
+        (before.levels - last.levels);
+      return rate < most_growth * last.stages.back().dimension;
+    }
+
+    /// Leaves out of @p cost what the trials say is not foretold by them.
+    void leave_out_unknown(CostEstimate &cost,
+                           const std::vector<Trial> &trials,
+                           const bool adapts,
+                           const dealii::ParameterHandler &prm)
+    {
+      const Trial &last = trials.back();
+      if (last.levels == 0 || last.stages.empty())
+        return;
+      if (!knows_steps(trials, adapts, prm))
+        cost.steps = 0.;
+      if (adapts && !knows_cells(trials))
+        cost.cells = cost.unknowns = cost.memory = cost.output = 0.;
+      if (!(cost.steps > 0.) && !(cost.cells > 0.))
+        cost.seconds = 0.;
     }
 
     std::string description_of(const Trial &trial)
@@ -308,48 +356,6 @@ namespace io
     }
   } // namespace
 
-  double extrapolate(const double before,
-                     const double last,
-                     const unsigned int levels,
-                     const double low,
-                     const double high,
-                     const unsigned int gap)
-  {
-    if (!(before > 0.))
-      return last * std::pow(2., 0.5 * (low + high) * levels);
-    const double rate = std::log2(std::max(1., last / before)) / gap;
-    if (rate <= low || rate >= high)
-      return last * std::pow(2., std::min(rate, high) * levels);
-    const double slow = std::pow(2., low * gap),
-                 fast = std::pow(2., high * gap);
-    const double b = (last - slow * before) / (fast - slow);
-    const double a = before - b;
-    return a * std::pow(2., low * (levels + gap)) +
-           b * std::pow(2., high * (levels + gap));
-  }
-
-  double extrapolate_cells(const double before,
-                           const double last,
-                           const unsigned int levels,
-                           const unsigned int dimension,
-                           const unsigned int gap)
-  {
-    const double usual = 0.75 * dimension;
-    // With growth alone where the trials say nothing.
-    return before > 0. ? extrapolate(before, last, levels, 0., usual, gap)
-                       : last * std::pow(2., usual * levels);
-  }
-
-  double extrapolate_to_limit(const double before,
-                              const double last,
-                              const unsigned int levels,
-                              const unsigned int gap)
-  {
-    const double shrinkage = std::pow(2., -static_cast<double>(gap));
-    const double rest = 1. - std::pow(2., -static_cast<double>(levels));
-    return last + (last - before) * shrinkage / (1. - shrinkage) * rest;
-  }
-
   CostEstimate forecast_cost(const ApplicationDescription &description,
                              const dealii::ParameterHandler &prm,
                              const CostEstimate &rough,
@@ -400,12 +406,13 @@ namespace io
     }
     if (trials.empty())
       return without_trials(description, prm, rough, collective);
+    leave_out_unknown(result, trials, adapts, prm);
     if (!description.pictures.empty() && prm.get_bool({"Output"}, "Pictures"))
     {
       const auto [seconds, size] =
         try_drawing(description, trials.back(), collective);
-      result.seconds += seconds;
-      result.output += size;
+      result.seconds += result.seconds > 0. ? seconds : 0.;
+      result.output += result.output > 0. ? size : 0.;
     }
     return result;
   }

@@ -93,14 +93,18 @@ namespace io
       total.seconds += cost.seconds;
       total.output += cost.output;
     }
-    // A stage of known time and no memory, the drawing, needs less than others.
     for (const auto &[name, cost] : costs)
-      if (!(cost.memory > 0.) && !(cost.seconds > 0.))
-      {
-        total.memory = total.steps = 0.;
-        if (!(cost.cells > 0.))
-          total.cells = total.unknowns = 0.;
-      }
+    {
+      // The drawing, of known time alone, needs less memory than others.
+      const bool has_mesh =
+        cost.cells > 0. || cost.steps > 0. || !(cost.seconds > 0.);
+      if (has_mesh && !(cost.memory > 0.))
+        total.memory = 0.;
+      if (has_mesh && !(cost.cells > 0.))
+        total.cells = total.unknowns = 0.;
+      if (has_mesh && cost.unknowns > 0. && !(cost.steps > 0.))
+        total.steps = 0.;
+    }
     for (double CostEstimate::*figure :
          {&CostEstimate::seconds, &CostEstimate::output})
       for (const auto &[name, cost] : costs)

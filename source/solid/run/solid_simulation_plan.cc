@@ -49,7 +49,7 @@ CostEstimate SolidSimulation<Real>::estimate()
 {
   CostEstimate cost;
   cost.cells = mesh_description_.estimate_elements();
-  cost.unknowns = 3. * cost.cells;
+  // Without trial runs the number of nodes is unknown.
   cost.memory = typical_memory * cost.cells * (sizeof(Real) == 4 ? 0.7 : 1.);
   const double step = mesh_description_.estimate_step(materials_);
   cost.steps = end_time_ / (safety_ * options_.step_factor() * step);

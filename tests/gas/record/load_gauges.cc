@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -143,6 +144,23 @@ TEST(LoadGauges, BelongToTheHalfWhosePlaneTheyLieOn)
   };
   EXPECT_EQ(at(-1e-4), std::vector<std::string>{"back"});
   EXPECT_THROW(at(-0.1), InputError);
+}
+
+
+// The chest of a scanned person is some millimetres beside the plane.
+TEST(LoadGauges, KeepTheMiddleOfAPersonWhoIsNotQuiteSymmetric)
+{
+  const auto has = [](const std::string &shift, const std::string &name) {
+    const std::vector<std::string> names =
+      make_gauges({"Body/Kind=phantom", "Body/Shift=0," + shift + ",0"},
+                  Point<3>(-2, 0, 0))
+        .names();
+    return std::find(names.begin(), names.end(), name) != names.end();
+  };
+  EXPECT_TRUE(has("-0.015", "chest"));
+  EXPECT_TRUE(has("-0.015", "left eye"));
+  EXPECT_FALSE(has("-0.015", "right eye"));
+  EXPECT_FALSE(has("-0.025", "chest"));
 }
 
 

@@ -33,6 +33,11 @@ namespace io
    * mesh. Fields of the mesh grow with cells, what is recorded on a body like
    * its facets, tables like steps; pictures are those of the last trial.
    *
+   * Unknown (zero) are cells, memory and output where the last two trials
+   * refine nearly everything, the steps where the trials before the last one do
+   * not foretell its steps within a factor of 1.4 or are too few for that, and
+   * the time if neither is known.
+   *
    * If the environment variable CONTRECOUP_CHECK_LEVELS names the levels of a
    * first and a last trial, these are run regardless of time, so that cells,
    * steps, memory and output do not depend on the machine's speed.
@@ -53,41 +58,5 @@ namespace io
                           const dealii::ParameterHandler &prm,
                           const CostEstimate &rough,
                           Collective &collective);
-
-  /**
-   * Extrapolates a quantity a 2^(low level) + b 2^(high level), a, b >= 0, by
-   * @p levels beyond its value @p last. It was @p before at @p gap levels
-   * earlier; 0: unknown, then the mean exponent applies. Quantities that grow
-   * more slowly than a 2^(low level) keep their own rate, decreasing ones stay
-   * constant.
-   */
-  double extrapolate(double before,
-                     double last,
-                     unsigned int levels,
-                     double low,
-                     double high,
-                     unsigned int gap = 1);
-
-  /**
-   * Extrapolates the number of cells of an adaptive mesh by @p levels beyond @p
-   * last; it was @p before at @p gap levels earlier, 0: unknown. Cells in
-   * layers of some leaves along fronts and surfaces grow by more than
-   * 2^(dimension - 1) a level and less than 2^dimension, by 2^(3/4 dimension)
-   * within a fifth in runs of 2-D and 3-D blasts; the rest stays as it is.
-   */
-  double extrapolate_cells(double before,
-                           double last,
-                           unsigned int levels,
-                           unsigned int dimension,
-                           unsigned int gap);
-
-  /**
-   * Extrapolates a quantity a + b 2^-level by @p levels beyond its value @p
-   * last. It was @p before at @p gap levels earlier.
-   */
-  double extrapolate_to_limit(double before,
-                              double last,
-                              unsigned int levels,
-                              unsigned int gap = 1);
 } // namespace io
 } // namespace contrecoup
