@@ -80,8 +80,24 @@ TEST(Person, HasTheAzimuthOfTheChargeFromTheFrontToTheLeft)
 {
   const Person turned = person_by({"Rotation=0, 0, -30"});
   EXPECT_NEAR(turned.charge_azimuth(), 30., 1e-6);
-  const Person above = person_by({}, Point<3>(2., 0., 0.9 + 2.));
+  const Person above = person_by({}, Point<3>(2., 0., 1.8 + 2.));
   EXPECT_NEAR(above.charge_elevation(), 45., 1e-6);
+}
+
+
+// Beside face, breast or shins a charge is neither above nor below.
+TEST(Person, HasTheChargeBesideAnyHeightOfTheBody)
+{
+  const auto side = [](const Point<3> &charge) {
+    return person_by({}, charge).side_to_charge();
+  };
+  for (const double height : {0.2, 1.2, 1.7})
+  {
+    EXPECT_EQ(side({0.4, 0., height}), "front") << height;
+    EXPECT_EQ(side({0., 0.4, height}), "left side") << height;
+  }
+  EXPECT_EQ(side({0.1, 0., 2.2}), "head");
+  EXPECT_EQ(side({0.1, 0., -0.3}), "feet");
 }
 
 

@@ -91,14 +91,18 @@ Person::Person(dealii::ParameterHandler &prm,
   else if (kind_ == "phantom" || kind_ == "image")
     axes_ = axes_by_rotation(Placement::read_rotation(prm));
   const ShapePointer surface = body.surface();
-  to_charge_ = charge - surface->bounding_box().center();
   // Landmarks know the axis to a degree or so.
   constexpr double parallel = 0.9994;
   Tensor<1, 3> up = axes_ ? axes_->up : Point<3>::unit_vector(2);
   for (unsigned int d = 0; d < 3; ++d)
     if (std::abs(up[d]) > parallel)
       up = std::copysign(1., up[d]) * Point<3>::unit_vector(d);
-  length_ = surface->reach(up) + surface->reach(-up);
+  const double top = surface->reach(up), bottom = -surface->reach(-up);
+  length_ = top - bottom;
+  const Tensor<1, 3> height = charge - Point<3>(),
+                     from_middle = charge - surface->bounding_box().center();
+  to_charge_ = from_middle - (from_middle * up) * up +
+               (height * up - std::clamp(height * up, bottom, top)) * up;
   if (kind_ == "phantom")
   {
     length_ = read_double(prm, "Scale");

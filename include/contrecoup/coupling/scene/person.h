@@ -61,8 +61,8 @@ public:
   /// the person's own upright axis [degrees]; NaN without axes.
   double charge_azimuth() const;
 
-  /// Direction of the charge above the plane that is normal to that axis
-  /// [degrees]; NaN without axes.
+  /// Direction of the charge above the plane that is normal to that axis, from
+  /// the nearest height between soles and vertex [degrees]; NaN without axes.
   double charge_elevation() const;
 
   /// Stature of the phantom, else extent of the body along the upright axis, or
@@ -81,7 +81,9 @@ private:
   std::string kind_;
   std::optional<PersonAxes> axes_;
   bool is_seated_ = false;
-  dealii::Tensor<1, 3> to_charge_; ///< from the middle of the body [m]
+  /// From the nearest place between soles and vertex on the upright axis
+  /// through the middle of the body [m].
+  dealii::Tensor<1, 3> to_charge_;
   double length_;
   double mass_;
 };
