@@ -444,6 +444,11 @@ def accepted():
                    entry("Reference/Kingery Bulmash/Center", "0, 0, 1")),
            "WARNING: Reference/Kingery Bulmash/Center = 0, 0, 1, but "
            "Charges/Charge 1 has its centre at 0, 0, 1.2 m")
+    yield ("a charge beside a plane of symmetry", "blast",
+           shipped("blast/quickstart.prm",
+                   entry("Charges/Charge 1/Center", "0, 0.5, 1.2")),
+           "WARNING: Charges/Charge 1 is 0.5 m away from the plane of symmetry "
+           "y = 0 m: its mirror image is computed as well, 2 charges of 1.707 kg")
     yield ("late size limit", "blast",
            shipped(SPHERE, entry("Adaptation/Limit a/From time", "2")),
            "s: the limit never holds")

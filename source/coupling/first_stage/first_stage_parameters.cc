@@ -431,8 +431,11 @@ void derive_first_stage(const ParameterHandler &scene,
     upper[1] = std::stod(high[2]);
     const double height = std::round((upper[1] - lower[1]) / coarse);
     leaves += ", " + brief(std::max(1., height), 12);
-    changes["Boundaries/y low"] = values.at("Boundaries/z low");
-    changes["Boundaries/y high"] = values.at("Boundaries/z high");
+    for (const std::string side : {"low", "high"})
+    {
+      const std::string kind = values.at("Boundaries/z " + side);
+      changes["Boundaries/y " + side] = kind == "symmetry" ? "wall" : kind;
+    }
   }
   changes["Domain/Dimension"] = std::to_string(stage_dim);
   changes["Domain/Geometry"] = stage_dim == 1 ? "spherical" : "axisymmetric";

@@ -7,7 +7,7 @@
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/base/system/timers.h>
 #include <contrecoup/coupling/first_stage/staged_simulation.h>
-#include <contrecoup/gas/scene/scene_places.h>
+#include <contrecoup/gas/scene/scene_bursts.h>
 #include <contrecoup/gas/state/leaf_sampling.h>
 #include <contrecoup/io/file/checked_file.h>
 
@@ -66,6 +66,16 @@ void StagedSimulation<dim>::parse_parameters(ParameterHandler &prm)
   ParameterHandler second;
   declare(second);
   derive_second_stage(prm, second);
+  // The scene's gas has no charges of its own any more.
+  GasMaterial material;
+  material.parse_parameters(prm);
+  CoarseMesh<dim> mesh;
+  mesh.parse_parameters(prm);
+  if (gas::has_several_explosions(gas::read_bursts(prm, material, mesh)))
+  {
+    const Section section(second, "Reference");
+    second.set("Kind", "none");
+  }
   scene_.parse_parameters(second);
   const std::string late = parameters_.late_hand_over(scene_.scene().end_time);
   if (!late.empty())
@@ -83,12 +93,7 @@ void StagedSimulation<dim>::parse_parameters(ParameterHandler &prm)
   if (is_trial)
     return;
   check_hand_over_order();
-  // The scene's gas has no charges of its own any more.
-  GasMaterial material;
-  material.parse_parameters(prm);
-  CoarseMesh<dim> mesh;
-  mesh.parse_parameters(prm);
-  for (const std::string &line : gas::remarks_on_reference(prm, material, mesh))
+  for (const std::string &line : gas::remarks_on_bursts(prm, material, mesh))
     log_line(line);
 }
 

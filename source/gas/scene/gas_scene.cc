@@ -6,6 +6,7 @@
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/log.h>
 #include <contrecoup/gas/scene/gas_scene.h>
+#include <contrecoup/gas/scene/scene_bursts.h>
 #include <contrecoup/gas/scene/scene_places.h>
 
 namespace contrecoup::gas
@@ -35,6 +36,9 @@ void GasScene<dim>::parse_parameters(ParameterHandler &prm)
   charges.parse_parameters(prm, material, coarse_mesh);
   charges.check(scheme, initial_state);
   reference.parse_parameters(prm, material);
+  if (reference.has_arrivals() && !reference.exists() &&
+      has_several_explosions(read_bursts(prm, material, coarse_mesh)))
+    reference = {};
   boundary.parse_parameters(
     prm, material, coarse_mesh, initial_state, reference);
   body.parse_parameters(prm);
@@ -67,8 +71,7 @@ void GasScene<dim>::parse_parameters(ParameterHandler &prm)
   if (!body.is_required())
     return;
   std::vector<std::string> remarks = charges.late_burns(end_time);
-  for (const std::string &line :
-       remarks_on_reference(prm, material, coarse_mesh))
+  for (const std::string &line : remarks_on_bursts(prm, material, coarse_mesh))
     remarks.push_back(line);
   for (const std::string &line : remarks)
     log_line(line);

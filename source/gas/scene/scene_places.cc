@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/parameters/parameter_tree.h>
 #include <contrecoup/base/parameters/parameters.h>
 #include <contrecoup/base/system/coordinates.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
-#include <contrecoup/gas/explosive/charge.h>
 #include <contrecoup/gas/scene/box_search.h>
+#include <contrecoup/gas/scene/scene_bursts.h>
 #include <contrecoup/gas/scene/scene_places.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -28,37 +27,6 @@ namespace
   {
     const Section section(prm, "Method");
     return read_unsigned(prm, "Subcells");
-  }
-
-
-  template <int dim>
-  struct NamedCharge
-  {
-    std::string where;
-    double mass; ///< as given [kg], 0 if only sizes are
-    Charge<dim> charge;
-  };
-
-  template <int dim>
-  std::vector<NamedCharge<dim>> read_charges(ParameterHandler &prm,
-                                             const GasMaterial &material,
-                                             const CoarseMesh<dim> &mesh)
-  {
-    std::vector<NamedCharge<dim>> charges;
-    if (!(material.reference_density() > 0.))
-      return charges;
-    for (const std::string &name : item_names(prm, "Charges/Charge"))
-    {
-      const Section section(prm, "Charges");
-      const Section charge(prm, "Charge " + name);
-      const std::string where = "Charges/Charge " + name;
-      charges.push_back(
-        {where,
-         read_double(prm, "Mass"),
-         Charge<dim>(
-           prm, mesh.geometry(), material.reference_density(), where)});
-    }
-    return charges;
   }
 
 
@@ -373,47 +341,6 @@ std::vector<std::string> remarks_on_cuts(ParameterHandler &prm,
 
 
 template <int dim>
-std::vector<std::string> remarks_on_reference(ParameterHandler &prm,
-                                              const GasMaterial &material,
-                                              const CoarseMesh<dim> &mesh)
-{
-  constexpr double tolerance = 0.01;
-  // Charges that are infinite to the waves have no mass.
-  const auto charges = read_charges(prm, material, mesh);
-  if (prm.get({"Reference"}, "Kind") != "kingery bulmash" ||
-      dim + radial_exponent(mesh.geometry()) != 3 || charges.size() != 1)
-    return {};
-  const Charge<dim> &charge = charges.front().charge;
-  const auto [lower, upper] = charge.bounds();
-  const dealii::Point<dim> center = lower + 0.5 * (upper - lower);
-  const double charge_mass = charge.volume() * material.reference_density();
-
-  const Section section(prm, "Reference");
-  const Section tables(prm, "Kingery Bulmash");
-  std::vector<std::string> lines;
-  const auto tell = [&](const std::string &entry, const std::string &known) {
-    lines.push_back("WARNING: Reference/Kingery Bulmash/" + entry + " = " +
-                    prm.get(entry) + ", but " + charges.front().where +
-                    " has " + known +
-                    ": the reference is that of another charge");
-  };
-  // With its image, a charge on the ground is one of twice its mass.
-  const double share = prm.get("Burst") == "spherical" ? 1. : 0.5;
-  const double mass = read_double(prm, "Mass");
-  if (std::abs(mass - charge_mass) > tolerance * charge_mass &&
-      std::abs(mass - share * charge_mass) > tolerance * charge_mass)
-    tell("Mass", brief(charge_mass) + " kg");
-  const auto numbers = read_list(prm, "Center");
-  dealii::Point<dim> place;
-  for (unsigned int d = 0; d < std::min<std::size_t>(dim, numbers.size()); ++d)
-    place[d] = numbers[d];
-  if (place.distance(center) > tolerance * charge.smallest_size())
-    tell("Center", "its centre at " + coordinates(center) + " m");
-  return lines;
-}
-
-
-template <int dim>
 std::array<bool, 3> planes_of_symmetry(ParameterHandler &prm,
                                        const CoarseMesh<dim> &mesh)
 {
@@ -486,8 +413,6 @@ double largest_charge_extent(ParameterHandler &prm,
     ParameterHandler &, const CoarseMesh<dim> &, const RigidBody &);        \
   template std::vector<std::string> remarks_on_cuts(                        \
     ParameterHandler &, const CoarseMesh<dim> &, const RigidBody &);        \
-  template std::vector<std::string> remarks_on_reference(                   \
-    ParameterHandler &, const GasMaterial &, const CoarseMesh<dim> &);      \
   template double largest_charge_extent(                                    \
     ParameterHandler &, const GasMaterial &, const CoarseMesh<dim> &)
 

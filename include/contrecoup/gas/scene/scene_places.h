@@ -51,13 +51,6 @@ std::vector<std::string> remarks_on_cuts(ParameterHandler &prm,
                                          const CoarseMesh<dim> &mesh,
                                          const RigidBody &body);
 
-/// Remarks for the log on a reference of Kingery and Bulmash for another mass
-/// or place than those of the only charge.
-template <int dim>
-std::vector<std::string> remarks_on_reference(ParameterHandler &prm,
-                                              const GasMaterial &material,
-                                              const CoarseMesh<dim> &mesh);
-
 /// Directions normal to planes of symmetry: those of which one side of a box is
 /// "symmetry". The axis of curvilinear coordinates is none.
 template <int dim>
