@@ -4,6 +4,7 @@
 #include <contrecoup/base/parameters/parameter_tree.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/log.h>
+#include <contrecoup/base/system/signals.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/base/system/version.h>
 #include <contrecoup/coupling/scene/scene_files.h>
@@ -408,7 +409,16 @@ void SceneRun::run_all()
   warn_of_entries(*scene_, command_, prm_, collective_);
   std::vector<std::string> warnings = Log::instance().warnings();
   if (!command_.resume || !has_records())
-    forecast();
+    try
+    {
+      forecast();
+    }
+    catch (const Stopped &)
+    {
+      show_line("stopped in the forecast, before the first stage; the same "
+                "command begins anew");
+      throw;
+    }
   const bool finished = run_tasks();
   collective_.run([&]() {
     if (!is_first_rank_)

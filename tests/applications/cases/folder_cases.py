@@ -249,7 +249,8 @@ def folder_signals(case):
 
 
 def folder_signals_in_forecast(case):
-    """SIGTERM while a scene tries coarser runs of its blast ends it with 143."""
+    """SIGTERM while a scene tries coarser runs of its blast ends it with 143, and
+    the screen says so."""
     os.environ.update(XDG_CACHE_HOME=os.path.abspath("no_forecasts"),
                       CONTRECOUP_CHECK_SECONDS="4")
     output = case.folder("run")
@@ -261,6 +262,7 @@ def folder_signals_in_forecast(case):
     out, err = process.communicate()
     require(process.returncode == 143 and err == "",
             f"it gave {process.returncode}: {out[-999:]}{err[-999:]}")
+    require("stopped in the forecast" in out, f"the screen ends with {out[-999:]}")
     require(b"blast would run" not in read_bytes(log),
             "the forecast took a stopped run for a whole one")
 
