@@ -71,8 +71,11 @@ namespace
         assignment.origin + ": " + stage + "/" + path +
         ": plan, tables and verdicts of a scene hold for " +
         (is_state ? "air at rest at sea level" : "its one charge") +
-        "; blast and biomechanics themselves take it, with blast.prm and "
-        "biomechanics.prm of the scene's output folder");
+        "; blast takes it with blast/parameters.prm of a finished scene's "
+        "output folder and First stage/Kind = none (of a scene with "
+        "Scene/Symmetry = none, if it differs between both sides of y = 0), "
+        "and biomechanics the loads.h5 of that run with "
+        "biomechanics/parameters.prm and Loads/Recorded/File");
   }
 
   /// Entries of the user with another value than @p before, or in a subsection
