@@ -18,18 +18,22 @@ namespace
 {
 /// Lines for TNT 2 m from a box 1.8 m high.
 std::vector<std::string> answer_for(const double mass,
-                                    const bool has_usual_afterburn = true)
+                                    const bool has_usual_afterburn = true,
+                                    const double height = 1.,
+                                    const bool has_ground = true)
 {
   SceneParameters scene;
   scene.accuracy = SceneParameters::accuracies[0];
   scene.explosive = find_explosive("tnt");
   scene.mass = mass;
-  scene.place = Point<3>(2.15, 0., 1.);
+  scene.place = Point<3>(2.15, 0., height);
   scene.end_time = 0.01;
   scene.symmetry = "none";
   scene.has_usual_afterburn = has_usual_afterburn;
   const RoundedBox body(Point<3>(0., 0., 0.9), Point<3>(0.15, 0.25, 0.9), 0.05);
-  return first_answer(scene, SceneLayout(scene, body), 70.);
+  OwnGrid own;
+  own.has_ground = has_ground;
+  return first_answer(scene, SceneLayout(scene, body, {}, own), 70.);
 }
 
 
@@ -67,6 +71,35 @@ TEST(FirstAnswer, HasTheWaveOfTheTablesAndWhatItDoes)
   EXPECT_GT(exposure, 0.15);
   EXPECT_LT(exposure, 0.3);
   EXPECT_EQ(number_after(lines, "by lung injury: less than"), 0.1);
+}
+
+
+/// Whether any of the lines has these words.
+bool has_words(const std::vector<std::string> &lines, const std::string &words)
+{
+  return std::any_of(lines.begin(), lines.end(), [&](const std::string &line) {
+    return line.find(words) != std::string::npos;
+  });
+}
+
+
+// Hemispherical charge of TNT at Z = 2: some 290 kPa; 200 kPa in free air.
+TEST(FirstAnswer, HasTheWaveOfASurfaceBurstOnTheGroundAlone)
+{
+  const auto ground = answer_for(1., true, 0.06);
+  EXPECT_NEAR(number_after(ground, "of a surface burst .*: peak"), 290., 25.);
+  EXPECT_FALSE(has_words(ground, "reflection by the ground"));
+  EXPECT_TRUE(has_words(ground, "charges in free air alone"));
+  // The size of what is left out above it.
+  const auto air = answer_for(1., true, 0.3);
+  const double rise = number_after(air, "adds some");
+  EXPECT_NEAR(number_after(air, "free air: peak") * (1. + 0.01 * rise),
+              number_after(ground, "of a surface burst .*: peak"),
+              2.);
+  // Without ground there is nothing to reflect.
+  const auto open = answer_for(1., true, 0.06, false);
+  EXPECT_NEAR(number_after(open, "free air: peak"), 200., 15.);
+  EXPECT_FALSE(has_words(open, "reflection by the ground"));
 }
 
 

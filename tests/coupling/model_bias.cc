@@ -71,6 +71,8 @@ TEST(ModelBias, IsUnknownForWhatWasNotMeasured)
   EXPECT_TRUE(std::isnan(model_bias(scene, 6.1).impulse));
   EXPECT_EQ(in_words(model_bias(scene, 6.1)),
             "unknown: it was measured from 1 to 6 m/kg^(1/3) alone");
+  EXPECT_EQ(in_words(model_bias(scene, 2., true)),
+            "unknown: it was measured for charges in free air alone");
   scene.has_usual_afterburn = false;
   EXPECT_TRUE(std::isnan(model_bias(scene, 2.).peak));
   EXPECT_EQ(in_words(model_bias(scene, 2.)),

@@ -271,6 +271,25 @@ TEST(SceneFiles, CompareEveryExplosiveWithTheTables)
 }
 
 
+// One wave for plan, comparison and the reference of the run.
+TEST(SceneFiles, TakeTheTablesOfASurfaceBurstForAChargeOnTheGround)
+{
+  SceneParameters scene = scene_with(2.337, 0.1);
+  const SceneLayout layout(scene, standing_box());
+  const auto blast = values_of(blast_entries(scene, layout, 78.5));
+  EXPECT_EQ(blast.at("Reference/Kingery Bulmash/Burst"), "hemispherical");
+  const KingeryBulmash tables("hemispherical",
+                              scene.explosive.tnt.pressure * scene.mass);
+  EXPECT_EQ(layout.overpressure,
+            tables.value(BlastQuantity::overpressure, layout.distance));
+  // The mesh changes when the stronger wave is there.
+  (*scene.place)[2] = 0.2;
+  const SceneLayout above(scene, standing_box());
+  EXPECT_FALSE(above.is_surface_burst);
+  EXPECT_LT(layout.earliest_arrival, 0.85 * above.earliest_arrival);
+}
+
+
 // What is symmetric is computed on one side, and the loads are mirrored.
 TEST(SceneFiles, LoadBothSidesOfASymmetricBody)
 {

@@ -237,6 +237,14 @@ TEST(TableComparison, LeavesToTheGroundWhatItMayAdd)
 }
 
 
+// The tables have what the ground adds to a charge that lies on it.
+TEST(TableComparison, LeavesNothingToTheGroundOfASurfaceBurst)
+{
+  const std::string warning = warning_for(scene_of("tnt", 0.06), 1.4, 0.);
+  EXPECT_NE(warning.find("incident peak"), std::string::npos) << warning;
+}
+
+
 TEST(TableComparison, IsEmptyWithoutAProbe)
 {
   const SceneParameters scene = scene_of("tnt", 1.);

@@ -725,6 +725,20 @@ class ReportTest(unittest.TestCase):
         self.assertNotIn("open at y", text)
         self.assertNotIn("comes back from", self.text)
 
+    def test_surface_burst(self):
+        """The tables of a charge on the ground have what the ground adds."""
+        folder = self.copy_without("blast/fields", "biomechanics/fields.pvd")
+        change_json(folder, "scene.json", lambda facts: (
+            facts.update(height=0.06),
+            facts["tables"].update(burst="hemispherical")))
+        text = text_of(Made(folder).page)
+        self.expect(text, "for a bare charge on the ground (hemispherical burst)",
+                    ", without the body", "those of the incident wave; "
+                    "reflections by the body add to impulse and duration")
+        self.assertNotIn("in free air", text)
+        self.expect(self.text, "for a bare charge in free air",
+                    ", without ground and body")
+
     def test_tables_without_a_probe(self):
         """Their answer stands alone where no probe is as far from the charge as
         the body, and is missing where they have none."""

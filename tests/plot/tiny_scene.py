@@ -119,7 +119,8 @@ def write_scene(folder):
                    "side_to_charge": "front"},
         "tables": {"equivalence_of_pressure": 1.37,
                    "equivalence_of_impulse": 1.19, "is_published": True,
-                   "source": "TM 5-855-1 (1986)", "answer": {
+                   "source": "TM 5-855-1 (1986)", "burst": "spherical",
+                   "answer": {
                        "in_the_open": EFFECT, "before_a_wall": {
                            **EFFECT, "lung_lethality": 0.0421}},
                    "trunk": None},

@@ -29,7 +29,7 @@ SCENE = {
                "charge_elevation": NUMBER},
     "tables": {"equivalence_of_pressure": NUMBER,
                "equivalence_of_impulse": NUMBER, "is_published": TRUTH,
-               "source": WORDS, "body_mass": NUMBER,
+               "source": WORDS, "burst": WORDS, "body_mass": NUMBER,
                "answer": {"arrival": NUMBER, "impulse": NUMBER,
                           "duration": NUMBER, "in_the_open": {"*": NUMBER},
                           "before_a_wall": {"*": NUMBER}},

@@ -104,7 +104,8 @@ def statement(scene, judged):
         "This section estimates the errors of the numerics.")]
     free = _free_air(scene)
     if free:
-        parts += [page.tag("h3", "Against measurements in free air"), free]
+        parts += [page.tag("h3", "Against measurements "
+                           + reflections.place_of_burst(scene)), free]
     parts += [page.tag("h3", "This scene with larger cells and elements"),
               error_estimate.section(scene, judged)]
     checks = _checks(scene)
@@ -137,8 +138,9 @@ def _free_air(scene):
     return page.table(
         ("probe", "quantity", "this run", "Kingery and Bulmash", "difference"),
         rows,
-        "The reference is a spherical charge in free air (C. N. Kingery, G. "
-        f"Bulmash, ARBRL-TR-02555, 1984). {reflections.note(scene)}",
+        f"The reference is a bare charge {reflections.place_of_burst(scene)} "
+        "(C. N. Kingery, G. Bulmash, ARBRL-TR-02555, 1984). "
+        f"{reflections.note(scene)}",
         numbers=(2, 3, 4))
 
 

@@ -43,15 +43,18 @@ class Lead:
         self.reservations = _certainty(scene, judged)
         self.warnings = scene.warnings()
         self.compared = _compared(scene)
-        self.equivalence = _equivalence(scene)
+        self.charge = f"a bare charge {reflections.place_of_burst(scene)}" \
+            + _equivalence(scene)
         mass = files.as_number((scene.facts.get("tables") or {}).get(
             "body_mass"))
         self.lungs = "" if mass is None or not any(
             row.get("name") in LUNGS for row in _rows(scene)) else (
                 f"; lungs of a person of {page.given(float(f'{mass:.3g}'), 'kg')}")
         self.reflections = reflections.note(scene)
-        self.left_out = "ground, body and walls" if reflections.walls(scene) \
-            else "ground and body"
+        left_out = ([] if reflections.is_surface_burst(scene) else ["ground"]) \
+            + ["body"] + (["walls"] if reflections.walls(scene) else [])
+        self.left_out = ("" if len(left_out) > 1 else "the ") \
+            + page.joined(left_out)
         self.file = _comparison_file(scene)
 
     def lines(self):
@@ -74,9 +77,8 @@ class Lead:
             return page.missing("an answer of the tables of Kingery and "
                                 "Bulmash, which do not cover this charge and "
                                 "distance")
-        caption = ("Tables: Kingery and Bulmash for a bare charge in free air"
-                   f"{self.equivalence}, without {self.left_out}"
-                   f"{self.lungs}. ")
+        caption = ("Tables: Kingery and Bulmash for "
+                   f"{self.charge}, without {self.left_out}{self.lungs}. ")
         if len(self.compared[0]) == 2:
             return page.table(
                 ("in the open, as far as the nearest skin", "tables"), self.compared,

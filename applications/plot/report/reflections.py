@@ -12,11 +12,23 @@ from plot.report import page
 
 def reflectors(scene, has_ground=True):
     """Words for what adds reflections to the positive phase at the first probe:
-    the ground, unless its reflection must come later or has been named, the
-    body, and walls."""
-    found = ["ground"] if has_ground and not _ground_is_late(scene) else []
+    the ground, unless its reflection must come later, has been named or is
+    that of a surface burst, the body, and walls."""
+    found = ["ground"] if has_ground and not is_surface_burst(scene) \
+        and not _ground_is_late(scene) else []
     found += ["body"] + (["walls"] if walls(scene) else [])
     return ("the " if len(found) == 1 else "") + page.joined(found)
+
+
+def is_surface_burst(scene):
+    """Whether charge and ground make one wave, that of hemispherical tables."""
+    return (scene.facts.get("tables") or {}).get("burst") == "hemispherical"
+
+
+def place_of_burst(scene):
+    """Where the tables have the charge, in words."""
+    return "on the ground (hemispherical burst)" if is_surface_burst(scene) \
+        else "in free air"
 
 
 def walls(scene):
@@ -55,7 +67,8 @@ def _reflections(scene):
              for row in scene.list_of("table_comparison")
              if row.get("name") == "peak_overpressure"]
     is_lower = any(None not in pair and pair[0] < pair[1] for pair in peaks)
-    if may_merge and not is_lower and not _ground_is_late(scene):
+    if may_merge and not is_lower and not is_surface_burst(scene) \
+            and not _ground_is_late(scene):
         return ("The wave at the probe may have merged with its reflection by "
                 "the ground, which raises peak and impulse and lets it arrive "
                 "earlier; reflections by "

@@ -43,6 +43,31 @@ namespace
            " of what kills half, death by lung injury: " +
            percent(effect.lung_lethality);
   }
+
+
+  /// What the ground may add to the wave of a charge above it: at most, at
+  /// places at which both waves are one, what it adds to a surface burst.
+  std::string ground_in_words(const SceneParameters &scene,
+                              const SceneLayout &layout)
+  {
+    const IncidentWave alone = layout.incident_wave(scene);
+    SceneLayout on_ground = layout;
+    on_ground.is_surface_burst = true;
+    const IncidentWave merged = on_ground.incident_wave(scene);
+    const auto rise = [&](const BlastQuantity quantity) {
+      return merged.is_tabulated(quantity, layout.distance)
+               ? brief(100. * (merged.value(quantity, layout.distance) /
+                                 alone.value(quantity, layout.distance) -
+                               1.),
+                       2) +
+                   " %"
+               : "an unknown part";
+    };
+    return "reflection by the ground (where it has merged with the wave, it "
+           "adds some " +
+           rise(BlastQuantity::overpressure) + " to the peak and " +
+           rise(BlastQuantity::impulse) + " to the impulse)";
+  }
 } // namespace
 
 
@@ -50,7 +75,7 @@ std::optional<TableAnswer> table_answer(const SceneParameters &scene,
                                         const SceneLayout &layout,
                                         const double body_mass)
 {
-  const IncidentWave wave = scene.incident_wave();
+  const IncidentWave wave = layout.incident_wave(scene);
   const double distance = layout.distance;
   if (!wave.is_tabulated(distance))
     return {};
@@ -95,6 +120,15 @@ std::string percent(const double probability)
 }
 
 
+std::string burst_in_words(const SceneLayout &layout)
+{
+  return layout.is_surface_burst
+           ? "of a surface burst (hemispherical tables, about those of " +
+               brief(IncidentWave::surface_mass) + " times the mass)"
+           : "in free air";
+}
+
+
 std::string unknown_beforehand()
 {
   return "the front reaches the body before it has swept the charge's mass of "
@@ -113,7 +147,7 @@ std::vector<std::string> first_answer(const SceneParameters &scene,
   const auto answer = table_answer(scene, layout, body_mass);
   if (!answer)
   {
-    const IncidentWave wave = scene.incident_wave();
+    const IncidentWave wave = layout.incident_wave(scene);
     const double nearest = wave.nearest_tabulated(layout.distance);
     return {"no first answer: the tables of Kingery and Bulmash do not cover " +
               what + where + ", but " +
@@ -124,12 +158,19 @@ std::vector<std::string> first_answer(const SceneParameters &scene,
               brief(1e3 * layout.arrival, 3) + " ms"};
   }
   const std::string equivalence = equivalence_in_words(scene.explosive);
-  const ModelBias bias = model_bias(scene, layout.distance);
+  const ModelBias bias =
+    model_bias(scene, layout.distance, layout.is_surface_burst);
+  std::vector<std::string> left_out;
+  if (!layout.is_surface_burst && layout.has_ground())
+    left_out.push_back(ground_in_words(scene, layout));
+  if (!walls.empty())
+    left_out.push_back("reflection by " + walls);
+  left_out.emplace_back("shape and tissues of the body; a run has them");
   std::vector<std::string> lines = {
     "first answer, by tables and without a run: " + what +
       (equivalence.empty() ? "" : " (" + equivalence + ")") + where +
       (person.empty() ? "" : " from " + person),
-    "  incident wave in free air: peak " +
+    "  incident wave " + burst_in_words(layout) + ": peak " +
       kilopascal(answer->in_the_open.overpressure) + ", impulse " +
       brief(answer->impulse, 3) + " Pa s, arrival " +
       brief(1e3 * answer->arrival, 3) + " ms, positive phase " +
@@ -140,9 +181,7 @@ std::vector<std::string> first_answer(const SceneParameters &scene,
       "incident", "in the open", brief(body_mass, 3), answer->in_the_open),
     effect_line(
       "reflected", "before a wall", brief(body_mass, 3), answer->before_a_wall),
-    "  left out: reflection by the ground" +
-      (walls.empty() ? "" : " and by " + walls) +
-      ", shape and tissues of the body; a run has them"};
+    "  left out: " + join(left_out, ", ")};
   if (!layout.is_far(scene))
     lines.push_back("  " + unknown_beforehand());
   lines.push_back(

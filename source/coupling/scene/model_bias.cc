@@ -82,7 +82,9 @@ namespace
 } // namespace
 
 
-ModelBias model_bias(const SceneParameters &scene, const double distance)
+ModelBias model_bias(const SceneParameters &scene,
+                     const double distance,
+                     const bool is_surface_burst)
 {
   const double scaled = distance / std::cbrt(scene.mass);
   const auto found = measured().find(scene.explosive.name);
@@ -91,6 +93,8 @@ ModelBias model_bias(const SceneParameters &scene, const double distance)
     gap = "it was not measured for constants of the user's own";
   else if (!scene.has_usual_afterburn)
     gap = "it was not measured for afterburn of the user's own";
+  else if (is_surface_burst)
+    gap = "it was measured for charges in free air alone";
   else if (scaled < distances.front() || scaled > distances.back())
     gap = "it was measured from " + brief(distances.front()) + " to " +
           brief(distances.back()) + " m/kg^(1/3) alone";

@@ -177,7 +177,8 @@ void PlannedScene::print(const bool with_plan) const
               brief(1e3 * layout_->cell_size()) + " mm");
   const std::string equivalence = equivalence_in_words(parameters_.explosive);
   show_line(layout_->is_far(parameters_)
-              ? "  expected in free air: the front reaches the body at " +
+              ? "  expected " + burst_in_words(*layout_) +
+                  ": the front reaches the body at " +
                   brief(1e3 * layout_->arrival, 3) + " ms with " +
                   brief(1e-3 * layout_->overpressure,
                         layout_->overpressure < 1e6 ? 3 : 4) +

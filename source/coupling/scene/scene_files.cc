@@ -204,6 +204,9 @@ namespace
     const std::string reference = "Reference/Kingery Bulmash/";
     entries.set("Reference/Kind", "kingery bulmash");
     entries.set(reference + "Mass", scene.mass, mass);
+    entries.set(reference + "Burst",
+                IncidentWave::tables_for(layout.is_surface_burst),
+                place);
     entries.set(reference + "Center", text_of(layout.charge), place);
     entries.set(reference + "TNT equivalence of pressure", tnt.pressure);
     entries.set(reference + "TNT equivalence of impulse", tnt.impulse);

@@ -466,12 +466,6 @@ double SceneParameters::energy() const
 }
 
 
-IncidentWave SceneParameters::incident_wave() const
-{
-  return {explosive.tnt, mass, energy()};
-}
-
-
 void SceneParameters::fit_elements(const dealii::BoundingBox<3> &body)
 {
   if (element_size > 0.)

@@ -130,14 +130,13 @@ namespace
                               const SceneLayout &layout,
                               const BlastQuantity quantity)
   {
-    const bool is_impulse = quantity == BlastQuantity::impulse;
-    const IncidentWave without = scene.incident_wave();
-    const double share =
-      afterburn_share(scene,
-                      scene.afterburn > 0. ? scene.afterburn
-                                           : scene.explosive.afterburn.energy);
-    const IncidentWave with(
-      scene.explosive.tnt, (1. + share) * scene.mass, scene.energy());
+    const IncidentWave without = layout.incident_wave(scene);
+    SceneParameters larger = scene;
+    larger.mass *= 1. + afterburn_share(scene,
+                                        scene.afterburn > 0.
+                                          ? scene.afterburn
+                                          : scene.explosive.afterburn.energy);
+    const IncidentWave with = layout.incident_wave(larger);
     const double distance = layout.distance;
     const double rise =
       without.is_tabulated(quantity, distance) &&
@@ -145,7 +144,8 @@ namespace
         ? with.value(quantity, distance) / without.value(quantity, distance) -
             1.
         : unknown;
-    const std::string what = is_impulse ? "impulse" : "peak";
+    const std::string what =
+      quantity == BlastQuantity::impulse ? "impulse" : "peak";
     return {"afterburn_" + what,
             scene.afterburn > 0. ? "in the loads" : "left out",
             "largest rise of the incident " + what + " by afterburn",
@@ -237,23 +237,20 @@ namespace
   std::vector<Assumption> items_of_charge(const SceneParameters &scene,
                                           const SceneLayout &layout)
   {
-    std::vector<Assumption> items = {
+    const ModelBias known =
+      model_bias(scene, layout.distance, layout.is_surface_burst);
+    const bool has_phase = layout.incident_wave(scene).is_tabulated(
+      BlastQuantity::duration, layout.distance);
+    return {
       symmetry(layout),
       afterburn(scene),
       afterburn_effect(scene, layout, BlastQuantity::overpressure),
       afterburn_effect(scene, layout, BlastQuantity::impulse),
-      resolution(scene,
-                 layout,
-                 scene.incident_wave().is_tabulated(BlastQuantity::duration,
-                                                    layout.distance)
-                   ? layout.cells_per_phase()
-                   : unknown),
-      body_cells(layout)};
-    const ModelBias known = model_bias(scene, layout.distance);
-    items.push_back(bias("peak", known.peak, known.gap));
-    items.push_back(bias("impulse", known.impulse, known.gap));
-    items.push_back(bias("duration", known.duration, known.gap));
-    return items;
+      resolution(scene, layout, has_phase ? layout.cells_per_phase() : unknown),
+      body_cells(layout),
+      bias("peak", known.peak, known.gap),
+      bias("impulse", known.impulse, known.gap),
+      bias("duration", known.duration, known.gap)};
   }
 
   /// The same with what a run measured: neither the rise by afterburn nor the
@@ -331,7 +328,7 @@ namespace
   {
     return {"end_time",
             "followed until " + brief(1e3 * scene.end_time) + " ms",
-            "end of the positive phase in free air",
+            "end of the positive phase of the incident wave",
             "s",
             value,
             scene.end_time,
@@ -443,7 +440,7 @@ std::vector<Assumption> scene_plan(const SceneParameters &scene,
   const double front =
     0.6 * layout.body.side_length(1) *
     std::min(layout.body.side_length(2), 2. * layout.distance);
-  const IncidentWave wave = scene.incident_wave();
+  const IncidentWave wave = layout.incident_wave(scene);
   const double speed =
     wave.value(BlastQuantity::reflected_impulse, layout.distance) * front /
     body_mass;

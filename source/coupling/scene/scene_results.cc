@@ -185,13 +185,15 @@ namespace
   io::Json tables_of(const PlannedScene &scene)
   {
     const TntEquivalence &tnt = scene.parameters().explosive.tnt;
-    io::Json json = {{"equivalence_of_pressure", tnt.pressure},
-                     {"equivalence_of_impulse", tnt.impulse},
-                     {"is_published", tnt.is_published},
-                     {"source", tnt.source},
-                     {"body_mass", scene.person_mass()},
-                     {"answer", nullptr},
-                     {"trunk", nullptr}};
+    io::Json json = {
+      {"equivalence_of_pressure", tnt.pressure},
+      {"equivalence_of_impulse", tnt.impulse},
+      {"is_published", tnt.is_published},
+      {"source", tnt.source},
+      {"burst", IncidentWave::tables_for(scene.layout().is_surface_burst)},
+      {"body_mass", scene.person_mass()},
+      {"answer", nullptr},
+      {"trunk", nullptr}};
     if (const auto answer =
           table_answer(scene.parameters(), scene.layout(), scene.person_mass()))
       json["answer"] = {{"arrival", answer->arrival},

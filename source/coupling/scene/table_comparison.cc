@@ -74,12 +74,13 @@ namespace
   /// Whether the ground's reflection may have merged with the incident wave at
   /// the body: regular reflection of strong shocks in air ends at an angle of
   /// incidence of 40 degrees (von Neumann's detachment criterion). A merged
-  /// wave has a larger peak than the @p tables.
+  /// wave has a larger peak than the @p tables; those of a surface burst have
+  /// it.
   bool
   may_merge(const SceneLayout &layout, const double peak, const double tables)
   {
     constexpr double largest = 40. * boost::math::double_constants::degree;
-    return peak > tables &&
+    return peak > tables && !layout.is_surface_burst &&
            std::atan2(layout.distance, 2. * layout.charge[2]) > largest;
   }
 

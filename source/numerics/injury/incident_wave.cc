@@ -19,11 +19,29 @@ namespace
 
 IncidentWave::IncidentWave(const TntEquivalence &tnt,
                            const double mass,
-                           const double energy)
-  : of_pressure_("spherical", tnt.pressure * mass)
-  , of_impulse_("spherical", tnt.impulse * mass)
-  , source_(energy, sea_level_pressure, air_density)
+                           const double energy,
+                           const bool is_surface_burst)
+  : of_pressure_(tables_for(is_surface_burst), tnt.pressure * mass)
+  , of_impulse_(tables_for(is_surface_burst), tnt.impulse * mass)
+  , source_((is_surface_burst ? surface_mass : 1.) * energy,
+            sea_level_pressure,
+            air_density)
 {}
+
+
+bool IncidentWave::is_surface_burst(const double tnt_mass,
+                                    const double height,
+                                    const double distance)
+{
+  return height <= surface_height * std::cbrt(tnt_mass) &&
+         distance >= surface_distance * height;
+}
+
+
+std::string IncidentWave::tables_for(const bool is_surface_burst)
+{
+  return is_surface_burst ? "hemispherical" : "spherical";
+}
 
 
 const KingeryBulmash &IncidentWave::tables(const BlastQuantity quantity) const

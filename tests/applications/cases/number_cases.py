@@ -137,7 +137,7 @@ def head_of(text):
     """What is going to be computed: the first lines of a screen."""
     lines = text.splitlines()
     return lines[:1] + [line for line in lines if line.startswith(
-        ("  expected in free air", "  changed: "))]
+        ("  expected ", "  changed: "))]
 
 
 def check_plan(check, screen, files):

@@ -38,6 +38,35 @@ TEST(IncidentWave, IsThatOfTheTablesWithBothEquivalences)
             impulses.value(BlastQuantity::duration, 2.));
 }
 
+// M. Swisdak (ADA526744, 1994): as 1.8 times the mass in free air.
+TEST(IncidentWave, OfASurfaceBurstIsThatOfAlmostTwiceTheMass)
+{
+  const TntEquivalence tnt{1., 1., true, ""};
+  const IncidentWave ground(tnt, 1., 4e6, true);
+  const IncidentWave air(tnt, IncidentWave::surface_mass, 4e6);
+  for (const double distance : {1.5, 2., 3., 5., 10.})
+    for (const BlastQuantity quantity :
+         {BlastQuantity::overpressure, BlastQuantity::impulse})
+      EXPECT_NEAR(ground.value(quantity, distance) /
+                    air.value(quantity, distance),
+                  1.,
+                  0.1)
+        << distance;
+  // Beyond the tables, of the point source.
+  EXPECT_EQ(ground.value(BlastQuantity::overpressure, 100.),
+            ExpectedBlast(1.8 * 4e6, 101325., 1.225).overpressure(100.));
+}
+
+
+TEST(IncidentWave, IsOfASurfaceBurstBelowATenthOfTheScalingLength)
+{
+  // 8 kg: 0.2 m, and five heights away.
+  EXPECT_TRUE(IncidentWave::is_surface_burst(8., 0.199, 2.));
+  EXPECT_FALSE(IncidentWave::is_surface_burst(8., 0.201, 2.));
+  EXPECT_FALSE(IncidentWave::is_surface_burst(8., 0.199, 0.99));
+}
+
+
 // The tables end at 40 m per cube root of the mass in kg.
 TEST(IncidentWave, IsThatOfThePointSourceBeyondTheTables)
 {

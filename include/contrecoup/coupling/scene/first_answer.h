@@ -12,7 +12,7 @@
 
 namespace contrecoup::coupling
 {
-/// What tables alone tell of a blast in free air: the incident wave at the
+/// What tables alone tell of a blast: the incident wave at the
 /// body's distance, and what it does to eardrums and lungs.
 struct TableAnswer
 {
@@ -43,6 +43,10 @@ std::optional<TableAnswer> table_answer(const SceneParameters &scene,
 /// Words for a body that is not SceneLayout::is_far().
 std::string unknown_beforehand();
 
+/// Words on the tables for the charge's place: "in free air", or for a surface
+/// burst.
+std::string burst_in_words(const SceneLayout &layout);
+
 /// Words on the TNT equivalence by which tables are entered: factors, source,
 /// and that it is an estimate if it was not measured.
 std::string equivalence_in_words(const Explosive &explosive);
@@ -54,8 +58,9 @@ std::string percent(double probability);
  * A first answer without a run, as lines for the screen: the blast wave at the
  * body's distance by the tables of Kingery and Bulmash for the TNT equivalence
  * of the explosive, and what its incident and its reflected peak would do to
- * eardrums and lungs. Ground reflection, afterburn, the body's shape and its
- * tissues are left out, and walls that the user adds. The ModelBias of a run,
+ * eardrums and lungs. The ground counts for a surface burst; else its
+ * reflection is left out, with a word on its size, as are afterburn, the body's
+ * shape and its tissues, and walls that the user adds. The ModelBias of a run,
  * if it was measured.
  *
  * @param body_mass [kg]

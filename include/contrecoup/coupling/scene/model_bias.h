@@ -29,9 +29,11 @@ struct ModelBias
  * explosive of the library with its usual afterburn in 1-D
  * (parameter_files/study/explosive_bias.prm) at scaled distances of 1 to 6
  * m/kg^(1/3), and linear between their logarithms. Unknown for explosives and
- * afterburn of the user, and elsewhere.
+ * afterburn of the user, for charges on the ground, and elsewhere.
  */
-ModelBias model_bias(const SceneParameters &scene, double distance);
+ModelBias model_bias(const SceneParameters &scene,
+                     double distance,
+                     bool is_surface_burst = false);
 
 /// "peak -3 %, impulse +12 %, duration -5 %", or "unknown: " and why.
 std::string in_words(const ModelBias &bias);

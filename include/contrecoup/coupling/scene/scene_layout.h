@@ -7,6 +7,7 @@
 #include <contrecoup/coupling/scene/scene_parameters.h>
 #include <contrecoup/geometry/shape/shape.h>
 #include <contrecoup/numerics/injury/expected_blast.h>
+#include <contrecoup/numerics/injury/incident_wave.h>
 
 #include <array>
 #include <optional>
@@ -62,6 +63,8 @@ struct SceneLayout
   dealii::BoundingBox<3> unturned;
   dealii::Point<3> charge; ///< centre of the charge [m]
   double charge_radius;    ///< [m]
+  /// Whether charge and ground make one wave: see IncidentWave.
+  bool is_surface_burst;
   /// From the charge's centre to the nearest point of the skin [m]
   double distance;
   /// From the charge's centre to the skin along -x [m]; NaN where that line
@@ -97,6 +100,10 @@ struct SceneLayout
   std::array<unsigned int, 3> n_leaves;
   double leaf_edge = leaf; ///< longest edge of the coarse leaves [m]
 
+  /// What is known beforehand of the charge's wave, on the ground or in free
+  /// air.
+  IncidentWave incident_wave(const SceneParameters &scene) const;
+
   /// Distance from the charge to the nearest of the body and the open sides
   /// [m].
   double unobstructed_distance() const;
@@ -104,6 +111,12 @@ struct SceneLayout
   /// Whether the front has swept more than the charge's mass of air when it
   /// reaches the body; only then the expected arrival is meaningful.
   bool is_far(const SceneParameters &scene) const;
+
+  /// Whether the side z low is a wall, and not the user's open side.
+  bool has_ground() const
+  {
+    return own_.has_ground;
+  }
 
   /// Longest edge of the subcells at a refinement level [m].
   double cell_size(unsigned int level) const;

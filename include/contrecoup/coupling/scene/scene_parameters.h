@@ -6,7 +6,6 @@
 #include <contrecoup/base/parameters/parameter_file.h>
 #include <contrecoup/materials/explosives.h>
 #include <contrecoup/materials/own_tissues.h>
-#include <contrecoup/numerics/injury/incident_wave.h>
 #include <contrecoup/numerics/injury/own_thresholds.h>
 
 #include <deal.II/base/bounding_box.h>
@@ -77,9 +76,6 @@ struct SceneParameters
 
   /// Energy of the charge, of detonation and afterburn [J].
   double energy() const;
-
-  /// What is known beforehand of the charge's wave in free air.
-  IncidentWave incident_wave() const;
 
   bool wants_injury() const
   {
