@@ -111,6 +111,8 @@ contrecoup_add_application_test(folder_signals_in_forecast
   folder_signals_in_forecast FILE scene/verification/head.prm TIMEOUT 300)
 contrecoup_add_application_test(folder_cache folder_cache ${_head_loads}
   "Scene/End time=0.0005" "Scene/Report=true" COMPARE report.html TIMEOUT 300)
+contrecoup_add_application_test(folder_no_report folder_no_report
+  ${_head_loads} "Scene/End time=0.0005" "Scene/Report=true" TIMEOUT 300)
 contrecoup_add_application_test(folder_default folder_default
   FILE scene/verification/head.prm TIMEOUT 300)
 contrecoup_add_application_test(folder_begins folder_begins ${_head_loads}

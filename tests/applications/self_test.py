@@ -550,6 +550,12 @@ class FolderTest(SelfTest):
         self.rejects("stderr is there is no home", *options, flaw="homesick")
         self.rejects("report.html", *options, "--compare=report.html")
 
+    def test_no_report(self):
+        options = ("folder_no_report", "--set=Brief=true")
+        self.accepts(*options)
+        self.rejects("it said", *options, flaw="mute")
+        self.rejects("exit code 0", *options, flaw="content")
+
     def test_default(self):
         for name, (file, _) in folder_cases.BRIEF.items():
             self.write("files/" + file, "")

@@ -146,6 +146,21 @@ class InjuryMapsTest(unittest.TestCase):
         words = panels["death by lung injury"].texts
         self.assertEqual([text.get_text() for text in words], ["too many"])
 
+    def test_levels_without_a_line(self):
+        """A level between known gauges that are not side by side has a line
+        nowhere, and no name."""
+        found = fields()
+        for name, (_, unit) in found.items():
+            found[name] = np.ones((3, 5)), unit
+        values = np.full((3, 5), np.nan)
+        values[:, :2], values[:, 3:] = (0., 0.4), (0.6, 1.)
+        found["lung_lethality"] = values, "-"
+        panels = self.drawn(found, {"lung_lethality": {
+            0.2: "some", 0.5: "half", 0.8: "most"}})
+        self.assertEqual({text.get_text() for text in
+                          panels["death by lung injury"].texts},
+                         {"some", "most"})
+
     def test_names_of_levels_are_apart(self):
         """Also of lines that are close together."""
         found = fields()

@@ -19,7 +19,7 @@ def draw_pressures(panels, head_only, path):
     top = max(shape[:, :, 1].max() for _, shape, _ in panels)
     bottom = min(shape[:, :, 1].min() for _, shape, _ in panels)
     low = max(bottom, top - 0.3) if head_only else bottom
-    shown = [values[shape[:, :, 1].min(axis=1) >= low]
+    shown = [values[shape[:, :, 1].max(axis=1) > low]
              for _, shape, values in panels]
     largest = np.percentile(np.abs(np.concatenate(shown)), 99.8)
     factor, unit = style.scale_unit("Pa", largest)

@@ -131,9 +131,12 @@ def _draw_levels(axis, plane, values, levels):
 
 
 def _name_levels(axis, lines, levels):
-    """Names each level once, where that is farthest from the names before."""
+    """Names each level once, where that is farthest from the names before; one
+    whose line would lie among unknown gauges has none."""
     named = []
-    for points in (max(parts, key=len) for parts in lines.allsegs):
+    for points in (max(parts, key=len, default=[]) for parts in lines.allsegs):
+        if not len(points):
+            continue
         # Not at the ends of the line, which are at those of the map.
         inner = points[len(points) // 5:-(len(points) // 5) or None]
         apart = [min((np.linalg.norm(point - other) for other in named),

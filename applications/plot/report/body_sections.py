@@ -146,7 +146,7 @@ def _draw_peaks(found):
     for axis, (title, unit, is_signed, polygons, values) in zip(axes.flat,
                                                                 found):
         low = max(polygons[:, :, 1].max() - 0.3, polygons[:, :, 1].min())
-        shown = values[polygons[:, :, 1].min(axis=1) >= low]
+        shown = values[polygons[:, :, 1].max(axis=1) > low]
         largest = float(np.percentile(np.abs(shown), 99.5)) or 1.
         factor, unit = style.scale_unit(unit, largest)
         norm = style.about_zero(largest * factor) if is_signed \

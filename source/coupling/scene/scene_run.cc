@@ -450,9 +450,13 @@ void SceneRun::run_all()
 
 void SceneRun::write_report()
 {
-  if (scene_->parameters().draws_report)
-    io::draw("report", command_.output_folder, "report", "report.html");
+  const bool is_missing =
+    scene_->parameters().draws_report &&
+    !io::draw("report", command_.output_folder, "report", "report.html");
   show_line("results in " + command_.output_folder);
   Log::instance().check();
+  if (is_missing)
+    throw SystemError("all stages are finished, but there is no report; "
+                      "--resume makes it again");
 }
 } // namespace contrecoup::coupling

@@ -19,10 +19,14 @@ namespace io
 {
   namespace
   {
-    /// What a command prints, and whether it succeeds.
+    /// What a command prints, and whether it succeeds; where it fails, the last
+    /// line is that of its errors.
     std::pair<std::string, bool> output_of(const std::string &command)
     {
-      FILE *stream = popen(command.c_str(), "r");
+      const std::string with_reason =
+        "exec 3>&1; errors=$(" + command +
+        " 2>&1 >&3) || { printf '\\n%s\\n' \"$errors\" | tail -n 2; exit 1; }";
+      FILE *stream = popen(with_reason.c_str(), "r");
       if (stream == nullptr)
         return {"", false};
       std::string text;
@@ -30,6 +34,15 @@ namespace io
       while (std::fgets(part, sizeof(part), stream) != nullptr)
         text += part;
       return {text, pclose(stream) == 0};
+    }
+
+    std::string last_line(const std::string &text)
+    {
+      std::string last;
+      std::istringstream lines(text);
+      for (std::string line; std::getline(lines, line);)
+        last = line;
+      return last;
     }
 
     /// Lines that begin with two spaces: the first paragraphs that a screen has
@@ -77,7 +90,7 @@ namespace io
     return CONTRECOUP_SOURCE_PLOT;
   }
 
-  void draw(const std::string &picture_command,
+  bool draw(const std::string &picture_command,
             const std::string &folder,
             const std::string &what,
             const std::string &where)
@@ -85,12 +98,13 @@ namespace io
     Log::instance().status("drawing the " + what);
     const std::string program =
       shell_word(plot_program()) + " " + picture_command;
-    const auto [printed, works] =
-      output_of(program + " " + shell_word(folder) + " 2> /dev/null");
+    const auto [printed, works] = output_of(program + " " + shell_word(folder));
     for (const std::string &line : answer_of(printed))
       show_line(line);
     show_line(works ? what + " in " + folder + "/" + where
-                    : "WARNING: no " + what + ": " + program + " failed");
+                    : "WARNING: no " + what + ": " + program +
+                        " failed: " + last_line(printed));
+    return works;
   }
 } // namespace io
 } // namespace contrecoup

@@ -409,6 +409,26 @@ def folder_cache(case):
                 f"{name} is empty")
 
 
+def folder_no_report(case):
+    """A scene whose report fails says why, on the screen and in the log, and that
+    it is not there; the next start makes it."""
+    output = case.folder("run")
+    # Python reads it in place of the library.
+    with open(case.folder("matplotlib.py"), "w", encoding="utf-8") as file:
+        file.write("raise ValueError('no pictures today')\n")
+    os.environ["PYTHONPATH"] = os.path.abspath(case.folder(""))
+    _, out, err = case.run(output, codes=(3,))
+    why = "failed: ValueError: no pictures today"
+    require("WARNING: no report: " in out and why in out, f"it said {out}")
+    require(why in read_bytes(output, "log.txt").decode(), "log.txt has no reason")
+    require(err.startswith("error: all stages are finished, but there is no report"),
+            f"stderr is {err}")
+    del os.environ["PYTHONPATH"]
+    case.run(output)
+    require(os.path.exists(os.path.join(output, "report.html")),
+            "the next start made no report")
+
+
 def folder_ranks(case):
     """A checkpoint of another number of ranks goes on where it stood, one of
     another precision is refused in one line and stays as it is. --argument is
@@ -552,5 +572,5 @@ def flip_byte(path):
 KINDS = {kind.__name__: kind for kind in
          (folder_finished, folder_foreign, folder_lock, folder_begins,
           folder_signals, folder_signals_in_forecast, folder_read_only,
-          folder_cache, folder_default, folder_ranks, folder_ranks_fail,
-          folder_stages)}
+          folder_cache, folder_default, folder_no_report, folder_ranks,
+          folder_ranks_fail, folder_stages)}

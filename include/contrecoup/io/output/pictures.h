@@ -15,14 +15,15 @@ namespace io
 
   /**
    * Runs applications/plot/plot.py on an output folder, and logs where its
-   * pictures are, or that it failed: failure does not affect results. For one
-   * rank.
+   * pictures are, or that it failed, with the last line of its errors: failure
+   * does not affect results. For one rank.
    * @param picture_command command of plot.py, e.g. "run", called with @p
    *   folder
    * @param what the command draws, e.g. "pictures"
    * @param where the files are in the folder
+   * @return whether it succeeded
    */
-  void draw(const std::string &picture_command,
+  bool draw(const std::string &picture_command,
             const std::string &folder,
             const std::string &what,
             const std::string &where);
