@@ -29,12 +29,35 @@ namespace
     stream.read(reinterpret_cast<char *>(&number), sizeof(number));
   }
 
-  /// Checkpoint file with the state of the stages; nested first stages write
-  /// to the same folder.
+  /// Checkpoint file of the stages; nested first stages share the folder.
   template <int dim>
   std::string stages_file(const std::string &folder)
   {
     return folder + "/stages_" + std::to_string(dim) + "d.bin";
+  }
+
+  /// Distance from @p centre at which the front of the scene's reference
+  /// arrives at @p time, if it knows that; else @p estimate [m].
+  template <int dim>
+  double expected_front(const gas::ReferenceSolution<dim> &reference,
+                        const dealii::Point<dim> &centre,
+                        const double time,
+                        const double estimate)
+  {
+    if (!reference.has_arrivals())
+      return estimate;
+    const auto arrival = [&](const double distance) {
+      dealii::Point<dim> place = centre;
+      place[dim - 1] += distance;
+      return reference.arrival(place).arrival;
+    };
+    double low = 0.5 * estimate, high = 2. * estimate;
+    while (high - low > 1e-6 * estimate)
+    {
+      const double middle = 0.5 * (low + high);
+      (arrival(middle) < time ? low : high) = middle;
+    }
+    return std::abs(arrival(high) - time) < 1e-3 * time ? high : estimate;
   }
 } // namespace
 
@@ -381,10 +404,10 @@ template <int dim>
 std::vector<Assumption> StagedSimulation<dim>::plan()
 {
   double radius = hand_over_distance();
+  auto centre = plan_.centre;
   if (first_)
   {
     const auto blast = first_->blast();
-    auto centre = plan_.centre;
     if (parameters_.kind == "axisymmetric")
       centre[dim - 1] = blast.height;
     scene_.expect_blast(blast.energy, centre, blast.non_ideal_fraction);
@@ -393,7 +416,11 @@ std::vector<Assumption> StagedSimulation<dim>::plan()
   if (!first_)
     radius = hand_over_radius_;
   else if (parameters_.criterion == "time")
-    radius = scene_.modelling_plan().expected_front(parameters_.time);
+    radius =
+      expected_front(scene_.scene().reference,
+                     centre,
+                     parameters_.time,
+                     scene_.modelling_plan().expected_front(parameters_.time));
   std::vector<Assumption> items = {hand_over_item(radius)};
   for (const Assumption &item : rest)
     if (item.name != items.front().name)
