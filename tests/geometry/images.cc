@@ -164,7 +164,6 @@ TEST_F(Images, VoxelsAreWhereTheHeaderSays)
   }
 }
 
-
 // 10 mm to the right, 20 to the front and 30 up, in each unit.
 TEST_F(Images, PlaceAndUnitAreThoseOfTheHeader)
 {
@@ -194,7 +193,6 @@ TEST_F(Images, PlaceAndUnitAreThoseOfTheHeader)
     }
 }
 
-
 TEST_F(Images, WithoutAFormTheFirstAxisIsToTheRight)
 {
   Header header = small;
@@ -207,7 +205,6 @@ TEST_F(Images, WithoutAFormTheFirstAxisIsToTheRight)
   EXPECT_EQ(body->part_at({0.003, -0.002, 0.}), 0);
   EXPECT_EQ(body->part_at({0., 0.004, 0.}), LabelGrid::outside);
 }
-
 
 // A stored 3 stands for 2 * 3 + 1.
 TEST_F(Images, LabelsAreScaledAsTheHeaderSays)
@@ -224,7 +221,6 @@ TEST_F(Images, LabelsAreScaledAsTheHeaderSays)
   EXPECT_EQ(body->part_at({0.003, 0.002, 0.004}), 2);
 }
 
-
 TEST_F(Images, PlacedImagesKeepTheirLabels)
 {
   const BodyPointer body =
@@ -237,7 +233,6 @@ TEST_F(Images, PlacedImagesKeepTheirLabels)
   EXPECT_EQ(body->part_at({1., 2., 3.}), 0);
   EXPECT_LT(body->surface()->value({1. - 0.04, 2., 3.}), 0.);
 }
-
 
 TEST_F(Images, IntegersOf64BitsAreRead)
 {
@@ -255,7 +250,6 @@ TEST_F(Images, IntegersOf64BitsAreRead)
     EXPECT_EQ(body->part_at({0., 0.004, 0.}), 1);
   }
 }
-
 
 TEST_F(Images, CompressedContentIsReadUnderAnyName)
 {
@@ -280,25 +274,27 @@ TEST_F(Images, CompressedContentIsReadUnderAnyName)
   EXPECT_NE(message.find("of the 16000 bytes"), std::string::npos) << message;
 }
 
-
 // Which side is the front, and what the header says twice or not at all.
 TEST_F(Images, TheHeaderIsSaidWhereItIsNotPlain)
 {
   for (const auto &[width, unit, words] :
-       {std::tuple{2.F, '\2', "the front of its header (+y) is +x"},
-        std::tuple{2.F, '\0', "no unit of length; mm is taken"},
-        std::tuple{1.F, '\2', "1 x 3 x 4 (pixdim), but of 2 x 3 x 4 by"}})
+       {std::tuple{0.F, '\2', "the front of its header (+y) is +x"},
+        std::tuple{0.F, '\0', "no unit of length; mm is taken"},
+        std::tuple{5.F, '\2', "5 x 5 x 5 (pixdim), but of 2 x 3 x 4 by"},
+        std::tuple{1.F, '\2', "not set (pixdim), they are 2 x 3 x 4 by"}})
   {
     std::string bytes = make_nifti(small, small_labels);
-    std::memcpy(&bytes[80], &width, sizeof(width));
+    for (const unsigned int place : {80, 84, 88})
+      if (width > 0.F)
+        std::memcpy(&bytes[place], &width, sizeof(width));
     bytes[123] = unit;
     const std::string file = "Image/File=" + write("a.nii", bytes);
     const auto said = create({file, table})->remarks();
-    EXPECT_EQ(said.size(), width == 2.F && unit == '\2' ? 1u : 2u);
+    EXPECT_EQ(said.size(), width == 0.F && unit == '\2' ? 1u : 2u);
     EXPECT_NE(said.front().find(words), std::string::npos) << said.front();
+    EXPECT_EQ(said.front().find("WARNING: ") == 0, width == 5.F);
   }
 }
-
 
 TEST_F(Images, ThePositionsComeFromTheFormThatSpansSpace)
 {
@@ -324,7 +320,6 @@ TEST_F(Images, ThePositionsComeFromTheFormThatSpansSpace)
   EXPECT_NE(unknown->remarks()[0].find("left and right are unknown"),
             std::string::npos);
 }
-
 
 TEST_F(Images, ElementsAreTheVoxelsInAnyStorageOrder)
 {
@@ -356,7 +351,6 @@ TEST_F(Images, ElementsAreTheVoxelsInAnyStorageOrder)
   }
 }
 
-
 TEST_F(Images, OneVoxelIsABody)
 {
   const Header one{{{1, 1, 1}}};
@@ -369,7 +363,6 @@ TEST_F(Images, OneVoxelIsABody)
   body->fill(grid);
   EXPECT_EQ(std::count(grid.labels.begin(), grid.labels.end(), 0), 8);
 }
-
 
 TEST_F(Images, BadImagesAreRefusedInOneLine)
 {
@@ -429,7 +422,6 @@ TEST_F(Images, BadImagesAreRefusedInOneLine)
     "-1 is not a label");
 }
 
-
 TEST_F(Images, HeadsHaveTheirLayersByTheRules)
 {
   // A bright ball of brain with a dark core, dark skull, bright scalp; its
@@ -481,7 +473,6 @@ TEST_F(Images, HeadsHaveTheirLayersByTheRules)
               .find("do not have the same voxels"),
             std::string::npos);
 }
-
 
 TEST_F(Images, VolumesOfVoxelsAreWhatOrgansShouldHave)
 {

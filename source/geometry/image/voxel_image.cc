@@ -252,20 +252,24 @@ namespace
                               "its header has no unit of length; mm is taken");
     constexpr double tolerance = 0.01;
     std::vector<std::string> sizes, lengths;
-    bool agree = true;
+    bool agree = true, are_set = false;
     for (unsigned int d = 0; d < 3; ++d)
     {
       const double length =
         std::hypot(form.m[0][d], form.m[1][d], form.m[2][d]);
       agree &= std::abs(source.pixdim[d + 1] - length) <= tolerance * length;
+      // Some programs set the sform alone.
+      are_set |= source.pixdim[d + 1] != 1.F;
       sizes.push_back(brief(source.pixdim[d + 1]));
       lengths.push_back(brief(length));
     }
     if (!agree)
-      image.remarks.push_back("WARNING: " + where +
-                              "its header has voxels of " + join(sizes, " x ") +
-                              " (pixdim), but of " + join(lengths, " x ") +
-                              " by its sform, which counts");
+      image.remarks.push_back(
+        (are_set ? "WARNING: " : "") + where +
+        (are_set ? "its header has voxels of " + join(sizes, " x ") +
+                     " (pixdim), but of "
+                 : "the sizes of its voxels are not set (pixdim), they are ") +
+        join(lengths, " x ") + " by its sform, which counts");
     image.remarks.push_back(
       where + "before Body/Rotation, the front of its header (+y) is +x of the "
               "body, its left (-x) is +y, and up is +z");
