@@ -41,7 +41,15 @@ contrecoup_add_application_test(particles_head_lossy bounds
   FILE head_impact/quickstart.prm SET ${_particles} "Output/Fields=false"
   "MPM/Cell size=0.01" "MPM/Transfer=apic" "Time/End time=0.002"
   BOUNDS "status == finished" "assumptions.transfer_loss.measured > 0.1"
+  "assumptions.wall_work.measured > 0.02;assumptions.wall_work.measured < 0.1"
   MESSAGE "WARNING: transfer_loss: kinetic energy that is lost")
+# So do layers that slip, which give back more than they have stored.
+contrecoup_add_application_test(particles_head_gives_back bounds
+  FILE head_impact/quickstart.prm SET ${_particles} "Output/Fields=false"
+  "Region CSF/Interface=slip" "MPM/Cell size=0.01" "Scheme/Courant number=0.7"
+  "Time/End time=0.002"
+  BOUNDS "status == finished" "assumptions.given_back.measured > 0.1"
+  MESSAGE "WARNING: given_back: energy that the matter gives back")
 
 contrecoup_add_application_test(particles_refuse_gas refusal
   FILE head_impact/verification/sod.prm SET "Method=mpm" "MPM/Cell size=0.01"

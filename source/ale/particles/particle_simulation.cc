@@ -154,7 +154,7 @@ void ParticleSimulation::setup()
   step_->start(grid_, particles_);
   const auto totals = step_->totals(grid_, particles_);
   initial_energy_ = totals.kinetic_energy + totals.internal_energy;
-  energy_scale_ = std::max(totals.kinetic_energy, totals.stored_energy);
+  largest_.any = std::max(totals.kinetic_energy, totals.stored_energy);
   if (!planes_.empty())
     contact_record_.start(planes_.planes().front(),
                           totals.momentum,
@@ -280,8 +280,13 @@ std::vector<NamedValue> ParticleSimulation::history()
 {
   const EnergyLedger now = ledger();
   const auto &totals = now.totals;
-  energy_scale_ = std::max(
-    {energy_scale_, totals.kinetic_energy, std::abs(totals.internal_energy)});
+  largest_.any = std::max(
+    {largest_.any, totals.kinetic_energy, std::abs(totals.internal_energy)});
+  largest_.given_back = std::max(largest_.given_back,
+                                 totals.stored_energy - totals.internal_energy);
+  largest_.wall_work =
+    std::max(largest_.wall_work,
+             std::abs(now.external_work - contact_now_.friction_work));
   std::vector<NamedValue> values = {
     {"mass", "kg", totals.mass, true},
     {"kinetic_energy", "J", totals.kinetic_energy},
@@ -384,7 +389,7 @@ void ParticleSimulation::finish(const std::string &folder)
 std::vector<NamedValue> ParticleSimulation::checks()
 {
   const EnergyLedger now = ledger();
-  const double scale = std::max(energy_scale_, 1e-300);
+  const double scale = std::max(largest_.any, 1e-300);
   std::vector<NamedValue> values{
     {"energy_residual", "-", now.residual / scale},
     {"transfer_loss", "-", now.transfer_loss / scale},

@@ -28,7 +28,7 @@ namespace
     double cell_size;
     double time;
     double initial_energy;
-    double energy_scale;
+    LargestEnergies largest;
     mpm::EnergyLedger ledger; ///< of the rank that wrote this file
     ContactMeasures contact;
     ContactRecord record;
@@ -63,7 +63,7 @@ void ParticleSimulation::save(const std::string &folder)
                             scene_.cell_size(),
                             time_,
                             initial_energy_,
-                            energy_scale_,
+                            largest_,
                             step_->ledger(),
                             contact_now_,
                             contact_record_,
@@ -115,7 +115,7 @@ void ParticleSimulation::restore_file(const std::string &file)
   n_merged_ = header.n_merged;
   time_ = header.time;
   initial_energy_ = header.initial_energy;
-  energy_scale_ = header.energy_scale;
+  largest_ = header.largest;
   contact_now_ = header.contact;
   contact_record_ = header.record;
   region_contact_ = header.region_contact;

@@ -161,20 +161,37 @@ std::vector<Assumption> ParticleSimulation::audit()
                          contact_now_.sliding_work,
                          kinetic,
                          0.,
-                         energy_scale_});
+                         largest_.any});
   if (mesh_.head() != nullptr)
     items.push_back(layer_resolution());
-  // Beyond, accelerations of the head are those of a softer impact.
-  constexpr double largest_loss = 0.1;
-  items.push_back({"transfer_loss",
-                   "velocities go to the grid and back in each step",
-                   "kinetic energy that is lost between grid and particles, "
-                   "over the largest energy",
-                   "-",
-                   ledger().transfer_loss / std::max(energy_scale_, 1e-300),
-                   largest_loss,
-                   false,
-                   "MPM/Cell size"});
+  const auto add = [&](const char *name,
+                       const char *decision,
+                       const std::string &quantity,
+                       const double energy) {
+    // Beyond, accelerations of the head are those of another impact.
+    constexpr double largest_part = 0.1;
+    items.push_back({name,
+                     decision,
+                     quantity + ", over the largest energy",
+                     "-",
+                     energy / std::max(largest_.any, 1e-300),
+                     largest_part,
+                     false,
+                     "MPM/Cell size"});
+  };
+  add("transfer_loss",
+      "velocities go to the grid and back in each step",
+      "kinetic energy that is lost between grid and particles",
+      ledger().transfer_loss);
+  add("given_back",
+      "stresses and motion are of different points",
+      "energy that the matter gives back beyond what it has stored",
+      largest_.given_back);
+  if (!contact_.empty() && !impact_plan().has_body_force)
+    add("wall_work",
+        "contact acts at the nodes of the grid",
+        "work of planes at rest other than by friction",
+        largest_.wall_work);
   return items;
 }
 } // namespace contrecoup::ale

@@ -17,6 +17,14 @@
 
 namespace contrecoup::ale
 {
+/// Largest energies over the history rows so far, of the whole matter [J].
+struct LargestEnergies
+{
+  double any = 0.;        ///< kinetic or internal
+  double given_back = 0.; ///< by the matter beyond what it had stored
+  double wall_work = 0.;  ///< of planes and body forces, but for friction
+};
+
 /// Solids and liquids by the material point method: time steps, resampling,
 /// energy balance and output.
 class ParticleSimulation : public Simulation
@@ -115,7 +123,7 @@ private:
   std::uint64_t n_merged_ = 0; ///< net decrease of the number of particles
   double time_ = 0.;
   double initial_energy_ = 0.;
-  double energy_scale_ = 0.;
+  LargestEnergies largest_;
   /// Minimum over the history rows so far, by region [Pa].
   std::vector<double> least_pressures_;
 };
