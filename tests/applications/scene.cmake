@@ -104,6 +104,12 @@ scene_refuses(other_body "contradicts Body/Rotation of the scene"
   SET "Biomechanics/Body/Rotation=0, 0, 90")
 scene_refuses(other_mass "contradicts Body of the scene"
   SET "Blast/Loads/Body mass=20")
+scene_refuses(other_tissue
+  "contradicts Tissues/Tissue brain/Density of the scene, which does not set it"
+  SET "Biomechanics/Materials/Tissue brain/Density=1010")
+scene_refuses(other_tissue_of_anatomy
+  "contradicts Tissues/Tissue brain/Density of the scene, which makes it"
+  SET "Tissues/Tissue brain/Density=1020" "Anatomy/Tissues/Tissue brain/Density=1010")
 scene_refuses(other_cells "contradicts Scene/Cell size of the scene"
   SET "Blast/Rigid body/Levels=0")
 scene_refuses(second_charge

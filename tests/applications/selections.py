@@ -195,9 +195,6 @@ CASES = {
         "Injury/Measure *": (
             SCENE, ["Injury/Measure none/Thresholds=1: harm"],
             "Injury/Measure none: there is no such measure"),
-        "Anatomy/Tissues/Tissue *": (
-            SCENE, ["Anatomy/Tissues/Tissue lung/Density=1010"],
-            'Anatomy/Tissues/Tissue lung = "lung" selects no part of the body'),
         "Blast/Adaptation/Fine box lower corner": (
             SCENE, ["Blast/Adaptation/Fine box levels=1",
                     "Blast/Adaptation/Fine box lower corner=50, 50, 50",
@@ -232,9 +229,6 @@ CASES = {
                     "Biomechanics/Interface/Tissues=brain",
                     "Biomechanics/Interface/Against=lung"],
             "Biomechanics/Interface"),
-        "Biomechanics/Materials/Tissue *": (
-            SCENE, [ELEMENTS, "Biomechanics/Materials/Tissue lung/Density=1010"],
-            "Biomechanics/Materials/Tissue lung"),
         "Biomechanics/Probes/Points": (
             SCENE, [ELEMENTS, "Biomechanics/Probes/Points=90, 90, 90"]),
         "Biomechanics/Measures/Measure *": (
@@ -271,6 +265,8 @@ OTHERS = {
         "Blast/Charges/Charge *": "the scene makes the charge",
         "Anatomy/Body/Image/Labels": "Body/Image/Labels of the scene",
         "Anatomy/Body/Mesh/Tissues": "Body/Mesh/Tissues of the scene",
+        "Anatomy/Tissues/Tissue *": "Tissues/Tissue * of the scene",
+        "Biomechanics/Materials/Tissue *": "Tissues/Tissue * of the scene",
         "Biomechanics/Injury/Measure *": "Injury/Measure * of the scene",
         "Biomechanics/Injury/Active": "the scene looks for brain and lung",
         "Biomechanics/Injury/Chest": "the scene looks for the chest"},

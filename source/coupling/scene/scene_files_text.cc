@@ -46,8 +46,11 @@ namespace
   std::string owner_of(const std::string &path,
                        const std::vector<Assignment> &entries)
   {
-    if (begins_with(path, "Body/"))
+    if (begins_with(path, "Body/") || begins_with(path, "Tissues/Tissue "))
       return path;
+    const std::string tissues = "Materials/Tissue ";
+    if (begins_with(path, tissues))
+      return "Tissues/Tissue " + path.substr(tissues.size());
     for (const Assignment &entry : entries)
       for (const char *const own : {"Charge/", "Body", "Tissues/"})
         if (path_of(entry) == path && begins_with(entry.origin, own))
@@ -103,10 +106,12 @@ namespace
                                     : old->second.empty() ? "empty"
                                                           : old->second;
       if (const std::string owner = owner_of(path, entries); !owner.empty())
-        throw InputError(assignment.origin + ": " + stage + "/" + path + " = " +
-                         now->second + " contradicts " + owner +
-                         " of the scene, which makes it " + otherwise +
-                         "; set " + owner);
+        throw InputError(
+          assignment.origin + ": " + stage + "/" + path + " = " + now->second +
+          " contradicts " + owner + " of the scene, which " +
+          (is_added || old->second.empty() ? "does not set it"
+                                           : "makes it " + otherwise) +
+          "; set " + owner);
       const std::string &section = assignment.sections[0];
       if (section != "Output" && section != "Pictures" && section != "Probes" &&
           listed.insert(path).second)
