@@ -42,7 +42,7 @@ TEST(BodyLayer, WarnsOfAThicknessOfTheUser)
             (Lines{"WARNING: skin, 4 mm (Body/Phantom/Skin thickness) is "
                    "thinner than the elements of 10 mm, so that there are "
                    "holes; Mesh/Element size of at most 4 mm closes them",
-                   "  cerebrospinal fluid, 2.5 mm (Body/Phantom) is thinner "
+                   "cerebrospinal fluid, 2.5 mm (Body/Phantom) is thinner "
                    "than the elements of 10 mm, so that there are holes; "
                    "Mesh/Element size of at most 2.5 mm closes them"}));
   EXPECT_EQ(thin_layer_lines(layers, 0.0025, 0.01, "Mesh/Element size"),
@@ -63,7 +63,7 @@ TEST(BodyLayer, WarnsOfElementsThatTheUserMakesLarge)
   ASSERT_EQ(layers.size(), 3U);
   const auto usual = thin_layer_lines(layers, 0.0032, 0.0032, "Element size");
   ASSERT_EQ(usual.size(), 1U);
-  EXPECT_EQ(usual[0].find("  layer 1, 2.5 mm (Body/Shape/Layers) is"), 0U)
+  EXPECT_EQ(usual[0].find("layer 1, 2.5 mm (Body/Shape/Layers) is"), 0U)
     << usual[0];
   const auto large = thin_layer_lines(layers, 0.02, 0.0032, "Element size");
   ASSERT_EQ(large.size(), 1U);
@@ -72,6 +72,26 @@ TEST(BodyLayer, WarnsOfElementsThatTheUserMakesLarge)
                           "(Body/Shape/Layers) are thinner"),
             0U)
     << large[0];
+}
+
+// Thicker than the usual one in the same elements is no reason to warn.
+TEST(BodyLayer, WarnsOfFewerElementsAcrossThanUsual)
+{
+  for (const auto &[layers, is_warned] : {std::pair{"0.003", false},
+                                          std::pair{"0.0025", false},
+                                          std::pair{"0.0024", true},
+                                          std::pair{"0.05,0.05,0.003", true}})
+  {
+    const auto found =
+      thin_layer_lines(layers_of({"Kind=shape",
+                                  "Shape/Shape=layered head",
+                                  std::string("Shape/Layers=") + layers}),
+                       0.0032,
+                       0.0032,
+                       "Element size");
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found[0].find("WARNING: ") == 0, is_warned) << found[0];
+  }
 }
 
 TEST(BodyLayer, KnowsLayersOfEachKindOfBody)
@@ -84,8 +104,8 @@ TEST(BodyLayer, KnowsLayersOfEachKindOfBody)
   ASSERT_EQ(layers.size(), 3U);
   EXPECT_EQ(layers[1].entry, "Body/Image/Head/Skull thickness");
   EXPECT_DOUBLE_EQ(layers[1].thickness, 0.016);
-  EXPECT_FALSE(layers[1].is_usual);
-  EXPECT_TRUE(layers[2].is_usual);
+  EXPECT_NE(layers[1].thickness, layers[1].usual);
+  EXPECT_EQ(layers[2].thickness, layers[2].usual);
   EXPECT_TRUE(layers_of({"Kind=surface"}).empty());
   EXPECT_TRUE(layers_of({"Kind=shape", "Shape/Shape=box"}).empty());
 }
@@ -133,7 +153,7 @@ TEST(BodyLayer, OfLabelsAreAsThickAsTheirVoxels)
   EXPECT_NEAR(layers[1].thickness, 18e-3, 1e-8);
   EXPECT_EQ(
     thin_layer_lines(layers, 0.01, 0.01, "Mesh/Element size"),
-    Lines{"  fluid, 6 mm (Body/Image/File) is thinner than the elements of "
+    Lines{"fluid, 6 mm (Body/Image/File) is thinner than the elements of "
           "10 mm, so that there are holes; Mesh/Element size of at most 6 "
           "mm closes them"});
 }

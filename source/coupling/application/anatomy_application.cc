@@ -153,7 +153,8 @@ namespace coupling
           log_line(line);
         for (const BodyLayer &layer : parameters_.layers)
           for (const ReportRow &row : report.rows)
-            if (row.kind == "part" && row.components > 1 && !layer.is_usual &&
+            if (row.kind == "part" && row.components > 1 &&
+                layer.thickness != layer.usual &&
                 layer.thickness >= parameters_.element_size &&
                 row.name.substr(0, row.name.find(':')) == layer.part)
               log_line("WARNING: " + layer.part + " of " +
@@ -273,7 +274,7 @@ namespace coupling
       void warn() const
       {
         for (const std::string &line : warnings_)
-          log_line(line);
+          show_line(line);
       }
 
       void write_text(const std::string &name, const std::string &text) const
@@ -400,7 +401,7 @@ namespace coupling
                             parameters.element_size,
                             AnatomyParameters::usual_element_size,
                             "Mesh/Element size"))
-        lines.push_back(line);
+        lines.push_back(remark_line(line));
       return lines;
     }
 

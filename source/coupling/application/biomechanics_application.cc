@@ -2,11 +2,14 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/system/remark_line.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/coupling/application/anatomy_parameters.h>
 #include <contrecoup/coupling/application/biomechanics_application.h>
 #include <contrecoup/io/application/check_file.h>
 #include <contrecoup/solid/run/solid_simulation.h>
+
+#include <algorithm>
 
 namespace contrecoup::coupling
 {
@@ -83,7 +86,10 @@ namespace
       return {};
     const double usual = AnatomyParameters::usual_element_size;
     const double size = prm.get_double({"Mesh"}, "Element size");
-    return thin_layer_lines(read_layers(prm), size, usual, "Mesh/Element size");
+    std::vector<std::string> lines =
+      thin_layer_lines(read_layers(prm), size, usual, "Mesh/Element size");
+    std::transform(lines.begin(), lines.end(), lines.begin(), remark_line);
+    return lines;
   }
 
   /// Numbers in the tables of a run.

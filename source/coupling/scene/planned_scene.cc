@@ -64,7 +64,7 @@ PlannedScene::PlannedScene(dealii::ParameterHandler &prm,
   if (const auto own = body_->own_mesh())
     parameters_.element_size = edge_of(*own);
   parameters_.fit_elements(layout_->unturned);
-  find_thin_layers(prm);
+  find_remarks(prm);
   find_body(prm);
   require_measures();
   sides_ = find_chosen_sides(wrote, *layout_);
@@ -73,16 +73,19 @@ PlannedScene::PlannedScene(dealii::ParameterHandler &prm,
 }
 
 
-void PlannedScene::find_thin_layers(dealii::ParameterHandler &prm)
+void PlannedScene::find_remarks(dealii::ParameterHandler &prm)
 {
+  remarks_ = body_->remarks();
+  if (!parameters_.wants_injury())
+    return;
   SceneParameters usual = parameters_;
   usual.element_size = 0.;
   usual.fit_elements(layout_->unturned);
-  if (parameters_.wants_injury())
-    thin_layers_ = thin_layer_lines(read_layers(prm),
-                                    parameters_.element_size,
-                                    usual.element_size,
-                                    "Scene/Element size");
+  for (const std::string &line : thin_layer_lines(read_layers(prm),
+                                                  parameters_.element_size,
+                                                  usual.element_size,
+                                                  "Scene/Element size"))
+    remarks_.push_back(line);
 }
 
 
@@ -188,10 +191,8 @@ void PlannedScene::print(const bool with_plan) const
     show_line("  changed: " + change.entry + " = " + change.value +
               (change.is_of_stage ? ", otherwise " : ", in the library ") +
               change.before);
-  for (const std::string &line : thin_layers_)
-    log_line(line);
   std::vector<std::string> details;
-  for (const std::string &remark : body_->remarks())
+  for (const std::string &remark : remarks_)
     details.push_back(remark_line(remark));
   if (!layout_->probe)
     details.emplace_back("  no probe beside the body: the charge, or a side of "

@@ -329,7 +329,7 @@ void write_scene(const PlannedScene &scene,
        scene.parameters(), layout, person_mass, command.output_folder))},
     {"changes", change_rows(scene.parameters().changes)},
     {"warnings", warnings},
-    {"remarks", scene.body().remarks()}};
+    {"remarks", scene.remarks()}};
   const auto fit = organ_fit_figures(scene.body());
   if (!fit.empty())
     json["organ_fit"] = fit;

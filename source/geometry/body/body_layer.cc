@@ -26,10 +26,9 @@ namespace
     const Section section(prm, "Phantom");
     // See phantom::make_brain().
     constexpr double fluid = 0.0025;
-    std::vector<BodyLayer> layers{{"cerebrospinal fluid",
-                                   fluid * read_double(prm, "Head scale"),
-                                   "Body/Phantom",
-                                   true}};
+    const double scaled = fluid * read_double(prm, "Head scale");
+    std::vector<BodyLayer> layers{
+      {"cerebrospinal fluid", scaled, "Body/Phantom", scaled}};
     const double skin = read_double(prm, "Skin thickness");
     if (skin > 0.)
       layers.push_back({"skin", skin, "Body/Phantom/Skin thickness"});
@@ -53,15 +52,15 @@ namespace
   {
     const Section section(prm, "Shape");
     std::vector<double> thickness = read_list(prm, "Layers");
-    const bool is_usual = thickness.empty();
-    if (is_usual)
-      thickness = usual_layers(prm.get("Shape"));
+    const std::vector<double> &usual = usual_layers(prm.get("Shape"));
+    if (thickness.empty())
+      thickness = usual;
     std::vector<BodyLayer> layers;
-    for (const double one : thickness)
-      layers.push_back({"layer " + std::to_string(layers.size() + 1),
-                        one,
+    for (std::size_t i = 0; i < thickness.size(); ++i)
+      layers.push_back({"layer " + std::to_string(i + 1),
+                        thickness[i],
                         "Body/Shape/Layers",
-                        is_usual});
+                        i < usual.size() ? usual[i] : 0.});
     return layers;
   }
 
@@ -92,7 +91,7 @@ namespace
     for (std::size_t i = 0; i < table.size(); ++i)
       if (thickness[i] > 0.)
         layers.push_back(
-          {table[i].part.name, thickness[i], "Body/Image/File", true});
+          {table[i].part.name, thickness[i], "Body/Image/File", thickness[i]});
     return layers;
   }
 
@@ -113,15 +112,15 @@ namespace
     return {{"cerebrospinal fluid",
              rules.fluid_thickness,
              path + "Fluid thickness",
-             rules.fluid_thickness == usual.fluid_thickness},
+             usual.fluid_thickness},
             {"skull",
              rules.skull_thickness,
              path + "Skull thickness",
-             rules.skull_thickness == usual.skull_thickness},
+             usual.skull_thickness},
             {"scalp",
              rules.scalp_thickness,
              path + "Scalp thickness",
-             rules.scalp_thickness == usual.scalp_thickness}};
+             usual.scalp_thickness}};
   }
 
 
@@ -160,7 +159,8 @@ std::vector<BodyLayer> read_layers(ParameterHandler &prm)
   else if (kind == "surface")
     layers = layers_of_inserted_organs(prm);
   for (BodyLayer &layer : layers)
-    layer.thickness *= read_double(prm, "Scale");
+    for (double *const thickness : {&layer.thickness, &layer.usual})
+      *thickness *= read_double(prm, "Scale");
   return layers;
 }
 
@@ -170,17 +170,21 @@ std::vector<std::string> thin_layer_lines(const std::vector<BodyLayer> &layers,
                                           const double usual_size,
                                           const std::string &entry)
 {
-  const bool is_coarse = element_size > usual_size * (1. + 1e-9);
   std::vector<BodyLayer> warned, remarked;
   for (const BodyLayer &layer : layers)
     // Headers of images have single precision.
     if (layer.thickness < element_size * (1. - 1e-6))
-      (layer.is_usual && !is_coarse ? remarked : warned).push_back(layer);
+      (layer.thickness * usual_size <
+             layer.usual * element_size * (1. - 1e-6) ||
+           layer.usual == 0.
+         ? warned
+         : remarked)
+        .push_back(layer);
   std::vector<std::string> lines;
   if (!warned.empty())
     lines.push_back("WARNING: " + line_of(warned, element_size, entry));
   if (!remarked.empty())
-    lines.push_back("  " + line_of(remarked, element_size, entry));
+    lines.push_back(line_of(remarked, element_size, entry));
   return lines;
 }
 } // namespace contrecoup

@@ -85,6 +85,12 @@ public:
   /// What tables alone tell, as lines for the screen.
   std::vector<std::string> first_answer() const;
 
+  /// On the body and on layers that are thinner than its elements.
+  const std::vector<std::string> &remarks() const
+  {
+    return remarks_;
+  }
+
 private:
   /// What the tables tell of lungs at layout_at_trunk(); empty without one.
   std::string answer_at_trunk() const;
@@ -94,7 +100,7 @@ private:
   /// Computes the mass of the body and, if injury is asked for, the probes in
   /// tissues.
   void find_body(dealii::ParameterHandler &prm);
-  void find_thin_layers(dealii::ParameterHandler &prm);
+  void find_remarks(dealii::ParameterHandler &prm);
   /// @throws InputError for thresholds of a measure that this scene has not
   void require_measures() const;
 
@@ -107,6 +113,6 @@ private:
   std::vector<TissuePlace> tissue_places_;
   std::vector<ChosenSide> sides_;
   std::vector<Assumption> plan_;
-  std::vector<std::string> thin_layers_; ///< see thin_layer_lines()
+  std::vector<std::string> remarks_;
 };
 } // namespace contrecoup::coupling

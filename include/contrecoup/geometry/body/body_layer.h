@@ -13,10 +13,10 @@ namespace contrecoup
 /// A layer of a body, a part of a known thickness.
 struct BodyLayer
 {
-  std::string part;      ///< name of the part
-  double thickness;      ///< [m]
-  std::string entry;     ///< that gives the thickness
-  bool is_usual = false; ///< whether the thickness is the default
+  std::string part;  ///< name of the part
+  double thickness;  ///< [m]
+  std::string entry; ///< that gives the thickness
+  double usual = 0.; ///< thickness without the user's choice [m]; 0: no layer
 };
 
 /// Layers of the body that the entries of subsection "Body" describe; those of
@@ -27,9 +27,9 @@ std::vector<BodyLayer> read_layers(dealii::ParameterHandler &prm);
 const std::vector<double> &usual_layers(const std::string &shape);
 
 /**
- * Lines for the log about layers that are thinner than an element, which have
- * holes in the mesh: a warning of those whose thickness the user gave, and of
- * all if the user wants larger elements than usual; a remark on the others.
+ * Remarks on layers that are thinner than an element, which have holes in the
+ * mesh: a warning of those with fewer elements across than they have usually,
+ * without the user's choice of thickness and element size; else no warning.
  * @param element_size [m]
  * @param usual_size that without the user's choice [m]
  * @param entry that gives the element size
