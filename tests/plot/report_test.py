@@ -1104,7 +1104,7 @@ class ReportTest(unittest.TestCase):
             scene = types.SimpleNamespace(
                 charge_place=lambda: np.array([2.3, 0., height]),
                 probe_place=lambda _: np.array([0., 0., height]),
-                list_of=lambda _: [],
+                facts={}, list_of=lambda _: [],
                 blast=types.SimpleNamespace(
                     found=lambda _, name: results[name]))
             self.assertEqual(reflections.reflectors(scene), words)
