@@ -42,7 +42,7 @@ plan_of(const std::vector<std::string> &overrides)
                                  "Region brain/Velocity z=-3",
                                  "Region CSF/Velocity z=-3",
                                  "Region skull/Velocity z=-3",
-                                 "Plane wall/Point=0, 0, -0.2",
+                                 "Plane wall/Point=0, 0, -0.091",
                                  "Plane wall/Normal=0, 0, 1"})
     assignments.push_back(parse_override(text));
   for (const std::string &text : overrides)
@@ -77,6 +77,13 @@ TEST(ImpactPlan, tells_what_a_head_is_expected_to_do)
   const auto brief = plan_of({"Time/End time=1e-3"});
   EXPECT_TRUE(brief.at("contact").fails());
   EXPECT_TRUE(std::isnan(value_of(brief, "cavitation_CSF")));
+  // On its way for 1 ms, or for 36 ms.
+  const auto near = plan_of({"Plane wall/Point=0, 0, -0.094"});
+  EXPECT_NEAR(value_of(near, "contact"), 5.34e-3 / 5e-3, 0.01);
+  EXPECT_NEAR(value_of(near, "cavitation_CSF"), -183e3, 3e3);
+  const auto far = plan_of({"Plane wall/Point=0, 0, -0.2"});
+  EXPECT_TRUE(far.at("contact").fails());
+  EXPECT_TRUE(std::isnan(value_of(far, "cavitation_CSF")));
 }
 
 TEST(ImpactPlan, weighs_the_scalp_that_is_left_out)

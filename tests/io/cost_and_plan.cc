@@ -133,6 +133,7 @@ TEST(Plan, WarnsOnceOfAnItem)
   const std::vector<Assumption> plan{item(3., false)};
   EXPECT_TRUE(warns(plan_lines(plan)));
   EXPECT_FALSE(warns(audit_lines(plan, {item(3.1, false)})));
+  EXPECT_TRUE(warns(audit_lines(plan, {item(4., false)})));
   EXPECT_TRUE(warns(audit_lines({item(1., false)}, {item(3., false)})));
 }
 

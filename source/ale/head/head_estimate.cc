@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace contrecoup::ale
 {
@@ -26,14 +27,31 @@ namespace
     return 4. / 3. * dealii::numbers::PI * axes[0] * axes[1] * axes[2];
   }
 
-  /// Normal speed of the matter at the origin towards a plane [m/s].
-  double impact_speed(const RegionDescriptions &regions,
-                      const ContactPlanes &planes)
+  /// The first contact of an ellipsoid with a plane.
+  struct FirstContact
   {
-    double speed = 0.;
+    double time = std::numeric_limits<double>::infinity(); ///< [s]
+    double speed = 0.; ///< normal to the plane [m/s]
+  };
+
+  FirstContact first_contact(const RegionDescriptions &regions,
+                             const ContactPlanes &planes,
+                             const Axes &axes)
+  {
+    FirstContact first;
     for (const ContactPlane &plane : planes.planes())
-      speed = std::max(speed, -(regions.fastest_velocity() * plane.normal));
-    return speed;
+    {
+      dealii::Tensor<1, 3> reach;
+      for (unsigned int d = 0; d < 3; ++d)
+        reach[d] = axes[d] * plane.normal[d];
+      const double gap =
+        plane.normal * (dealii::Point<3>() - plane.point) - reach.norm();
+      const double speed = -(regions.fastest_velocity() * plane.normal);
+      const double time = std::max(0., gap) / speed;
+      if (speed > 0. && time < first.time)
+        first = {time, speed};
+    }
+    return first;
   }
 
   /// The skull, between two ellipsoids, as a spherical shell.
@@ -90,11 +108,13 @@ std::optional<HeadEstimate> estimate_head(const MeshDescription &mesh,
   const dealii::Point<3> bone(
     0., 0., 0.5 * (axes[skull - 1][2] + axes[skull][2]));
   result.liquid_radius = radius_of(axes[skull - 1]);
+  const FirstContact contact = first_contact(regions, planes, axes.back());
+  result.contact_begins = contact.time;
   result.impact = shell_impact(axes[skull - 1],
                                axes[skull],
                                regions.region_at(bone, {"skull", {}}),
                                result.mass,
-                               impact_speed(regions, planes));
+                               contact.speed);
   return result;
 }
 } // namespace contrecoup::ale

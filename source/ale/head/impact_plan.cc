@@ -72,7 +72,8 @@ bool ImpactPlan::has_friction() const
 double ImpactPlan::expected_tension(const Region &region) const
 {
   const bool is_known =
-    head && head->impact && end_time > 0.5 * head->impact->contact_time();
+    head && head->impact &&
+    end_time > head->contact_begins + 0.5 * head->impact->contact_time();
   return is_known ? -head->impact->peak_pressure(
                       std::get<Tait>(region.law).density(), head->liquid_radius)
                   : unknown;
@@ -117,13 +118,14 @@ void ImpactPlan::add_contact(std::vector<Assumption> &items) const
 {
   if (planes.empty())
     return;
-  // Contact time of a head that touches the plane at the start.
   items.push_back(
     {"contact",
      "followed until the end time",
      "end of contact over end time",
      "-",
-     head && head->impact ? head->impact->contact_time() / end_time : unknown,
+     head && head->impact
+       ? (head->contact_begins + head->impact->contact_time()) / end_time
+       : unknown,
      0.999,
      false,
      "Time/End time"});

@@ -143,8 +143,23 @@ SceneCheck::time_of_contact(const Approach &approach,
 }
 
 
+void SceneCheck::warn_of_velocities() const
+{
+  if (mesh_.head() == nullptr)
+    return;
+  for (std::size_t i = 1; i < velocities_.size(); ++i)
+    if (velocities_[i] != velocities_[0])
+      log_line("WARNING: Region " + regions_.regions()[i].name +
+               "/Velocity: (" + coordinates(dealii::Point<3>(velocities_[i])) +
+               ") m/s at the start, while region " +
+               regions_.regions()[0].name + " of the same head has (" +
+               coordinates(dealii::Point<3>(velocities_[0])) + ") m/s");
+}
+
+
 void SceneCheck::check_planes(const bool others) const
 {
+  warn_of_velocities();
   const bool is_uniform =
     !velocities_.empty() &&
     std::all_of(velocities_.begin(),

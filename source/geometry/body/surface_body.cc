@@ -88,8 +88,8 @@ namespace
       {"none", "phantom"},
       "Interior of the body: the given tissue only, or with "
       "the organs of the phantom (subsection Phantom), warped "
-      "section by section to the surface of one person who stands "
-      "or lies, from the soles to the vertex, in any direction.");
+      "section by section to the surface of one person who stands, "
+      "sits or lies, in any direction.");
     const UsedWith used("Body/Surface/Organs = phantom");
     declare_string(
       prm,

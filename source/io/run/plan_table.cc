@@ -178,9 +178,12 @@ namespace io
     std::vector<std::string> lines = aligned(rows);
     for (const Assumption &item : audit)
     {
-      // The plan has warned of it before.
+      // The plan has warned of it before, unless it is far worse.
+      constexpr double far_worse = 1.5;
       const Assumption *planned = find_assumption(plan, item.name);
-      if (item.fails() && (planned == nullptr || !planned->fails()))
+      if (item.fails() && (planned == nullptr || !planned->fails() ||
+                           std::abs(item.value - item.limit) >
+                             far_worse * std::abs(planned->value - item.limit)))
         lines.push_back(warning(item, "measured at"));
     }
     return lines;

@@ -18,7 +18,8 @@ struct HeadEstimate
   double mass = 0.;       ///< of the whole head [kg]
   double scalp_mass = 0.; ///< of 5 mm of scalp around the head [kg]
   bool has_scalp = false;
-  double liquid_radius = 0.; ///< of the liquid inside the skull [m]
+  double liquid_radius = 0.;  ///< of the liquid inside the skull [m]
+  double contact_begins = 0.; ///< time of the first contact with a plane [s]
   /// Impact of a liquid-filled shell, if the skull is solid and hits a plane;
   /// an ellipsoid counts as the sphere of equal volume.
   std::optional<ShellImpact> impact;

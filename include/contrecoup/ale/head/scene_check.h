@@ -70,6 +70,8 @@ private:
   std::optional<double> time_of_contact(const Approach &approach,
                                         const ContactPlane &plane) const;
   bool has_body_force() const;
+  /// Warns of regions of a head that do not have one velocity.
+  void warn_of_velocities() const;
 
   const MeshDescription &mesh_;
   const RegionDescriptions &regions_;
