@@ -3,6 +3,7 @@
 
 #include <contrecoup/base/parameters/parameters.h>
 #include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/log.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/materials/custom_explosive.h>
 #include <contrecoup/materials/jwl_check.h>
@@ -174,6 +175,9 @@ void CustomExplosive::parse_parameters(const dealii::ParameterHandler &prm,
     changes.push_back({entry.name, entry.unit, value, before});
     has_other_constants = has_other_constants || entry.jwl != nullptr;
   }
+  if (changes.empty())
+    log_line("WARNING: " + section + ": no entry differs from " + like +
+             ", so that the explosive is " + like);
   adapt_to_energy(base, explosive);
   require_real_sound_speed(explosive.jwl, section);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/base/parameters/new_tissues.h>
 #include <contrecoup/base/parameters/parameter_tree.h>
 #include <contrecoup/base/parameters/used_with.h>
 #include <contrecoup/base/system/exceptions.h>
@@ -75,6 +76,7 @@ namespace coupling
           show_line(line);
         for (const std::string &remark : body_->remarks())
           show_line(remark_line(remark));
+        tell_changes();
         warn();
         show_line("The parameters are valid.");
         return cost;
@@ -94,6 +96,7 @@ namespace coupling
                   " nodes in " + duration(meshed_));
         for (const std::string &remark : body_->remarks())
           show_line(remark_line(remark));
+        tell_changes();
         for (const std::string &line : strays_)
           log_line(remark_line(line));
         if (!mesh_.hanging_nodes.empty())
@@ -140,6 +143,18 @@ namespace coupling
                            parameters_.body.references(),
                            parameters_.tissue_set,
                            parameters_.own_tissues);
+      }
+
+      /// Tells each tissue whose density, and so its mass, is not the set's.
+      void tell_changes() const
+      {
+        for (const Tissue tissue : parameters_.own_tissues.tissues())
+          show_line("  changed: " + name_of(tissue) + " with " +
+                    parameters_.own_tissues.changes_in_words(
+                      tissue,
+                      is_new(tissue) ? SolidMaterial()
+                                     : find_solid_material(
+                                         parameters_.tissue_set, tissue, {})));
       }
 
       /// Warns of a body in pieces, and of layers of the user that are thick
