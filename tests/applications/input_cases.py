@@ -449,6 +449,26 @@ def accepted():
                    entry("Charges/Charge 1/Center", "0, 0.5, 1.2")),
            "WARNING: Charges/Charge 1 is 0.5 m away from the plane of symmetry "
            "y = 0 m: its mirror image is computed as well, 2 charges of 1.707 kg")
+    for pressure, said in (("101.325", "101.325 Pa and 1.225 kg/m^3 are those "
+                            "of air of 0.288 K"),
+                           ("70e3", "70000 Pa, but the tables of Kingery and "
+                            "Bulmash are for 101325 Pa")):
+        yield ("air of " + pressure + " Pa", "blast",
+               shipped("blast/quickstart.prm",
+                       entry("Initial state/Background/Pressure", pressure)),
+               "WARNING: Initial state/Background: " + said)
+    yield ("an explosive of one's own like tnt", "scene",
+           shipped(SCENE, near, entry("Charge/Explosive", "custom")),
+           "WARNING: Charge/Custom explosive: no entry differs from tnt")
+    yield ("a tissue changed in anatomy", "anatomy",
+           shipped(ANATOMY, entry("Tissues/Tissue skeleton/Density", "1900")),
+           "changed: skeleton with Density = 1900 kg/m^3 instead of 1300")
+    yield ("a brain that moves against its head", "head_impact",
+           shipped("head_impact/quickstart.prm",
+                   entry("Mesh/Cell size", "0.01"),
+                   entry("Region brain/Velocity z", "3")),
+           "WARNING: Region CSF/Velocity: (0, 0, -3) m/s at the start, while "
+           "region brain of the same head has (0, 0, 3) m/s")
     yield ("late size limit", "blast",
            shipped(SPHERE, entry("Adaptation/Limit a/From time", "2")),
            "s: the limit never holds")

@@ -123,6 +123,36 @@ namespace
   }
 
 
+  /// Warns of air around explosives that is colder or hotter than any on
+  /// Earth, as of a pressure in another unit, and of other air than the
+  /// tables'.
+  void warn_of_air(ParameterHandler &prm,
+                   const bool has_tables,
+                   std::vector<std::string> &lines)
+  {
+    constexpr double gas_constant = 287.05;          // of air [J/(kg K)]
+    constexpr double coldest = 150., hottest = 600.; // [K]
+    constexpr double of_tables = 101325.;            // [Pa]
+    constexpr double tolerance = 0.1;
+    const Section section(prm, "Initial state");
+    const Section background(prm, "Background");
+    const double pressure = read_double(prm, "Pressure"),
+                 density = read_double(prm, "Density");
+    const double temperature = pressure / (density * gas_constant);
+    const std::string where =
+      "WARNING: Initial state/Background: " + brief(pressure, 6) + " Pa";
+    if (temperature < coldest || temperature > hottest)
+      lines.push_back(where + " and " + brief(density) +
+                      " kg/m^3 are those of air of " + brief(temperature, 3) +
+                      " K");
+    else if (has_tables &&
+             std::abs(pressure - of_tables) > tolerance * of_tables)
+      lines.push_back(where +
+                      ", but the tables of Kingery and Bulmash are for " +
+                      brief(of_tables, 6) + " Pa");
+  }
+
+
   template <int dim>
   void check_reference(ParameterHandler &prm,
                        const Burst<dim> &charge,
@@ -202,7 +232,10 @@ std::vector<std::string> remarks_on_bursts(ParameterHandler &prm,
   const auto bursts = read_bursts(prm, material, mesh);
   std::vector<std::string> lines;
   warn_of_images(bursts, mesh, lines);
-  if (prm.get({"Reference"}, "Kind") != "kingery bulmash")
+  const bool has_tables = prm.get({"Reference"}, "Kind") == "kingery bulmash";
+  if (count_all(bursts).second > 0.)
+    warn_of_air(prm, has_tables, lines);
+  if (!has_tables)
     return lines;
   if (has_several_explosions(bursts))
     lines.push_back("WARNING: Reference/Kind = kingery bulmash describes one "
