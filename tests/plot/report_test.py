@@ -38,7 +38,7 @@ from plot import command_line  # noqa: E402 (after the path of the package)
 from plot.analysis import signals, wave_times  # noqa: E402
 from plot.figures import (body_loads, body_views, plane_cuts,  # noqa: E402
                           style)
-from plot.readers import tables  # noqa: E402
+from plot.readers import loads, tables  # noqa: E402
 from plot.readers.scene import Scene  # noqa: E402
 from plot.report import (accuracy, blast_sections,  # noqa: E402
                          error_estimate, headline, injury_table, injury_thresholds,
@@ -578,6 +578,14 @@ class ReportTest(unittest.TestCase):
                 name, value, "", injury_thresholds.KNOWN[name], error, "")
                       for name, value, error in zip(names, values, errors)]
             self.assertEqual(str(verdict._brain(judged)), "brain: " + words)
+        # What gives no verdict may exceed a threshold all the same.
+        name = "injury_intracranial_pressure_peak"
+        judged.append(injury_table.Judged(
+            name, 1.76e5, "Pa", injury_thresholds.KNOWN[name], None, ""))
+        found = verdict._brain(judged)
+        self.assertEqual(found.words, "brain: below all thresholds but that of "
+                         "an exposure, maximum brain pressure")
+        self.assertEqual(found.kind, "mid")
 
     def test_error_that_is_unknown(self):
         """The answer says of which measures, and why."""
@@ -673,6 +681,15 @@ class ReportTest(unittest.TestCase):
             status([{"step": 17, "time": 2e-3}, {"step": 1234, "time": 5e-3}]),
             "finished, interrupted: went on from step 17 (2.00\u00a0ms) and "
             "step 1234 (5.00\u00a0ms)")
+
+    def test_size_of_a_coarser_stage(self):
+        """Of its own summary; a dash without one."""
+        folder = self.copy_without()
+        tiny_scene.write(
+            os.path.join(folder, "coarser_blast", "summary.json"),
+            json.dumps({"application": "blast", "cells": 77, "steps": 99}))
+        rows = str(accuracy.cost(Scene(folder))[0])
+        self.expect(rows, ">77 cells, 99 steps<", ">–<")
 
     def test_phases_with_two_waves(self):
         """The error of a positive phase does not hold where either run has a dip
@@ -851,11 +868,11 @@ class ReportTest(unittest.TestCase):
         for arrivals, words in (
                 ([2e-3, 1e-3, 0.], "reaches the skin at 1.00 ms; no place"),
                 ([0., 0.], "does not reach the skin"), (None, "does not reach")):
-            loads = None if arrivals is None else types.SimpleNamespace(
+            known = None if arrivals is None else types.SimpleNamespace(
                 measure=lambda _, of=arrivals: np.array(of),
                 arrived=lambda of=arrivals: np.array(of) > 0.)
             self.assertIn(words, scene_sections._unnamed(
-                types.SimpleNamespace(loads=lambda of=loads: of)).replace(
+                types.SimpleNamespace(loads=lambda of=known: of)).replace(
                     "\u00a0", " "))
 
     def test_own_thresholds(self):
@@ -1367,6 +1384,65 @@ class ReportTest(unittest.TestCase):
                     "in front of a standing person", "ends where the images end")
         self.assertFalse("load_gauges.csv" in words)
         self.assertFalse("contrecoup (an" in words)
+
+    def test_own_hexahedra(self):
+        """Tissues of the user's own have their names, and a box has no head."""
+        folder = self.copy_without("blast/fields")
+        change_json(folder, "scene.json",
+                    lambda facts: facts.update(body="mesh"))
+        tiny_scene.write(os.path.join(folder, "anatomy", "parts.csv"),
+                         "part,name,tissue,tissue name\n0,SHELL,13,acrylic\n")
+        for number in range(3):
+            tiny_scene.write_mesh(os.path.join(
+                folder, f"biomechanics/fields/solid_{number:04d}.vtu"),
+                2e3 * number, 0.2, 13)
+        words = text_of(Made(folder).page)
+        self.expect(words, "y = 0.04 m, through acrylic, with one", "acrylic 1",
+                    "Extremes of each element of the body")
+        self.assertNotIn("other tissue", words)
+
+    def test_loaded_sides(self):
+        """Beside the loaded side the front, unless another has a tenth more."""
+        scene = Scene(self.whole)
+        views = body_views.views_of(scene.loads(), scene.blast.folder)
+        front, left = views.normals[:, 0], views.normals[:, 1]
+        for back, beside in ((1.05, 0), (1.2, 2)):
+            self.assertEqual(views.loaded_sides(
+                3. * (left < -0.9) + (front > 0.9) + back * (front < -0.9)),
+                (3, beside))
+
+    def test_silhouette(self):
+        """A box has straight sides: its facets are no patches beyond them."""
+        path = os.path.join(self.copy_without(), "blast", "loads.h5")
+        axes = np.repeat([0, 1], 2)
+        normals = np.zeros((4, 3))
+        normals[range(4), axes] = 1., -1., 1., -1.
+        vertices = np.array([[x, y, z] for x in (-1., 1.) for y in (-1., 1.)
+                             for z in (-1., 1.)])
+        corners = [[4, 6, 7, 5], [0, 1, 3, 2], [2, 3, 7, 6], [0, 4, 5, 1]]
+        with h5py.File(path, "a") as file:
+            for name in list(file):
+                if len(file[name]) == 144:
+                    values = file[name][:4]
+                    del file[name]
+                    file[name] = values
+            file["centroid"][:] = file["normal"][:] = normals
+            file["area"][:] = 4.
+            file["vertex"] = vertices
+            file["connectivity"] = np.ravel([[3, 4, *one] for one in corners])
+        views = body_views.BodyViews(loads.Loads(path), [])
+        for side in views.sides:
+            shown = side.total.reshape(side.shape) > 0.
+            wide = np.count_nonzero(shown.any(axis=0)) * views.pixel
+            self.assertAlmostEqual(wide, 2., delta=2. * views.pixel)
+            self.assertEqual(np.count_nonzero(shown), np.count_nonzero(
+                shown.any(axis=0)) * np.count_nonzero(shown.any(axis=1)))
+        for flaw in ([3, 4, 0, 1, 2, 8] * 4, [3, 4, 0, 1, 2, 3] * 3,
+                     [3, 4, 0, 1, 2, 3] * 3 + [3, 9, 0, 1]):
+            with h5py.File(path, "a") as file:
+                del file["connectivity"]
+                file["connectivity"] = flaw
+            self.assertRaises(ValueError, loads.Loads, path)
 
     def test_times_with_waves(self):
         """Pictures begin when waves arrive and end with them."""

@@ -2,6 +2,8 @@
 # Copyright (C) 2026 by the Contrecoup authors
 """Names of the places in the tissue where biomechanics took histories."""
 
+import os
+
 import numpy as np
 
 from plot.readers import files, tables
@@ -11,6 +13,7 @@ NAMES = {SOFT: "soft tissue", SKIN: "skin", SKELETON: "skeleton",
          BRAIN: "brain", CORD: "spinal cord", FLUID: "cerebrospinal fluid",
          LUNG: "lung", HEART: "heart", LIVER: "liver", 10: "water",
          11: "gelatin", 12: "polycarbonate"}
+OTHER = "other tissue"
 NEAR = 0.07  # m, from a named place of the skin
 # What scene calls places, what a report calls them, and their tissue.
 GIVEN = {"coup": ("brain, coup", BRAIN),
@@ -20,13 +23,24 @@ GIVEN = {"coup": ("brain, coup", BRAIN),
          "spinal cord": ("spinal cord", CORD)}
 
 
+def names(scene):
+    """Of tissues by their numbers, with those that the user defined."""
+    known = dict(NAMES)
+    path = scene.anatomy.path("parts.csv")
+    if os.path.exists(path):
+        with files.reading(path), open(path, newline="",
+                                       encoding="utf-8") as file:
+            known.update((int(row["tissue"]), row["tissue name"])
+                         for row in files.rows_of(file))
+    return known
+
+
 class Place:
     """One probe in the body."""
 
-    def __init__(self, number, point, tissue):
+    def __init__(self, number, point, tissue, name):
         self.column = f"probe_{number}_"
-        self.point, self.tissue = point, tissue
-        self.name = NAMES.get(tissue, "body")
+        self.point, self.tissue, self.name = point, tissue, name
         self.remark = ""  # on what is there instead
 
     def pressure(self, probes):
@@ -47,12 +61,12 @@ def find_places(scene):
         return []
     given = [str(place.get("name"))
              for place in scene.list_of("tissue_places")]
-    tissues = _tissues(scene, points)
+    tissues, called = _tissues(scene, points), names(scene)
     if len(given) == len(points):
-        return [_given_place(*known) for known in
+        return [_given_place(*known, called.get(known[-1], OTHER)) for known in
                 zip(range(1, len(points) + 1), points, given, tissues)]
-    places = [Place(number, point, tissue) for number, (point, tissue)
-              in enumerate(zip(points, tissues), 1)]
+    places = [Place(number, point, tissue, called.get(tissue, "body"))
+              for number, (point, tissue) in enumerate(zip(points, tissues), 1)]
     _name_brain(scene, places)
     known = scene.loads().places() if scene.loads() else {}
     for place in places:
@@ -64,14 +78,13 @@ def find_places(scene):
     return places
 
 
-def _given_place(number, point, name, found):
-    """@p found is the tissue of the element there: organs that are thinner
-    than an element may have none."""
+def _given_place(number, point, name, found, called):
+    """@p found is the tissue of the element there and what it is called:
+    organs that are thinner than an element may have none."""
     title, tissue = GIVEN.get(name, (name, 0))
-    place = Place(number, point, tissue)
-    place.name = title
+    place = Place(number, point, tissue, title)
     if 0 not in (found, tissue) and found != tissue:
-        place.remark = f" (an element of {NAMES.get(found, 'other tissue')})"
+        place.remark = f" (an element of {called})"
     return place
 
 
@@ -123,8 +136,7 @@ def _name_by_skin(place, known):
 
 
 def _number_doubles(places):
-    names = [place.name for place in places]
-    for name in set(names):
+    for name in {place.name for place in places}:
         same = [place for place in places if place.name == name]
         if len(same) > 1:
             for number, place in enumerate(same, 1):

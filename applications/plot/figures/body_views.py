@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Contrecoup authors
 """A body from four sides whose surface is known by its facets alone: a centre,
-a normal and an area each."""
+a normal and an area each, and its outline by their corners."""
 
 import functools
 
 import numpy as np
+from PIL import Image, ImageDraw
 
 from plot.readers.loads import mirror_planes
 
@@ -17,6 +18,9 @@ VIEWS = [("front", (1, 1), (2, 1), (0, 1)), ("left", (0, -1), (2, 1), (1, 1)),
 # What the sides of a body are called that has none of its own.
 NAMELESS = ("from +x", "from +y", "from −x", "from −y")
 GAP = 0.06  # between two views, over the height
+# By which the load on another side exceeds that on the front, with face and
+# chest, where it counts as larger.
+MORE = 1.1
 # Pixels in the width of the largest facet, at most: more show its edge alone.
 FINEST = 40.
 
@@ -28,15 +32,15 @@ def views_of(loads, folder, axes=NAMELESS):
     NAMELESS for a body without."""
     if loads is None or loads.is_flat or not len(loads.areas):
         return None
-    return BodyViews(loads.centroids, loads.normals, loads.areas,
-                     mirror_planes(folder, loads.centroids), axes=axes)
+    return BodyViews(loads, mirror_planes(folder, loads.centroids), axes=axes)
 
 
 class BodyViews:
     """The body from four sides, each with what facets its pixels show."""
 
-    def __init__(self, centroids, normals, areas, planes, pixels=560,
-                 axes=NAMELESS):
+    def __init__(self, loads, planes, pixels=560, axes=NAMELESS):
+        centroids, normals, areas = loads.centroids, loads.normals, loads.areas
+        vertices, outlines = loads.vertices, loads.outlines
         self.axes = np.eye(3) if axes is NAMELESS else np.array(axes)
         self._names = NAMELESS if axes is NAMELESS else tuple(
             view[0] for view in VIEWS)
@@ -49,6 +53,10 @@ class BodyViews:
             centroids = np.concatenate([centroids, mirrored[0]])
             normals = np.concatenate([normals, mirrored[1]])
             facets = np.concatenate([facets, facets])
+            outlines = outlines + [one + len(vertices) for one in outlines]
+            image = vertices.copy()
+            image[:, axis] = 2. * place - vertices[:, axis]
+            vertices = np.concatenate([vertices, image])
         centroids, normals = centroids @ self.axes.T, normals @ self.axes.T
         self.low = centroids.min(axis=0)
         self.high = centroids.max(axis=0)
@@ -56,8 +64,9 @@ class BodyViews:
         self.pixel = max((self.high - self.low)[2] / pixels,
                          spacing.max() / FINEST)
         self.sides = [
-            _Side(view, self.low, self.high, self.pixel, centroids, normals,
-                  spacing, facets) for view in VIEWS]
+            _Side(view, self.low, self.high, self.pixel,
+                  (centroids, normals, spacing, facets),
+                  (vertices @ self.axes.T, outlines)) for view in VIEWS]
 
     def names(self):
         return self._names
@@ -95,9 +104,10 @@ class BodyViews:
 
     def loaded_sides(self, loads):
         """The side towards which the facets with the largest loads look, and
-        the one of both beside it with the larger load."""
+        the one of both beside it with the larger load, see MORE."""
         towards = [np.maximum(view[3][1] * self.normals[:, view[3][0]], 0.)
                    @ loads for view in VIEWS]
+        towards[0] *= MORE
         first = int(np.argmax(towards))
         return first, max(((first + 1) % 4, (first + 3) % 4),
                           key=lambda side: towards[side])
@@ -126,8 +136,8 @@ def _spacings(centroids, areas):
 class _Side:
     """One view: which facets each pixel shows with what weight."""
 
-    def __init__(self, view, low, high, pixel, centroids, normals, spacing,
-                 facets):
+    def __init__(self, view, low, high, pixel, patches, outline):
+        centroids, normals, spacing, facets = patches
         _, self.right, self.up, self.depth = view
         self.low, self.high, self.pixel = low, high, pixel
         margin = np.max(spacing)
@@ -139,6 +149,7 @@ class _Side:
         self.shape = tuple(
             int((high[axis] - low[axis] + 2. * margin) / pixel) + 1
             for axis in (self.up[0], self.right[0]))
+        self.silhouette = self._fill(*outline)
         towards = self.depth[1] * normals[:, self.depth[0]]
         seen = towards > 0.
         self._spread(centroids[seen], normals[seen], spacing[seen],
@@ -152,15 +163,28 @@ class _Side:
                 (across / self.pixel).astype(int),
                 self.depth[1] * points[:, self.depth[0]])
 
+    def _fill(self, vertices, outlines):
+        """Which pixels the facets cover; all if their corners are unknown."""
+        if not outlines:
+            return np.ones(self.shape, bool)
+        row, column, _ = self._project(vertices)
+        image = Image.new("1", self.shape[::-1])
+        canvas = ImageDraw.Draw(image)
+        for corners in outlines:
+            canvas.polygon(list(zip(column[corners].tolist(),
+                                    row[corners].tolist())), 1, 1)
+        return np.array(image)
+
     def _spread(self, centroids, normals, spacing, facets):
-        """Lets every facet be a round patch with a soft edge, in its own
-        plane; of patches one behind the other the nearest shows."""
+        """Lets every facet be a round patch with a soft edge, in its own plane
+        and within the silhouette; of patches one behind the other the nearest
+        shows."""
         first = np.cross(normals, np.eye(3)[np.abs(normals).argmin(axis=1)])
         first /= np.linalg.norm(first, axis=1)[:, None]
         second = np.cross(normals, first)
         reach = 0.9
         count = int(np.ceil(2. * reach * spacing.max(initial=0.)
-                            / self.pixel)) + 1
+                            / self.pixel)) + 2
         steps = np.linspace(-reach, reach, max(count, 3))
         pixels, closeness, weights, numbers = [], [], [], []
         for s in steps:
@@ -172,6 +196,7 @@ class _Side:
                 row, column, close = self._project(points)
                 inside = ((row >= 0) & (row < self.shape[0]) & (column >= 0)
                           & (column < self.shape[1]))
+                inside[inside] = self.silhouette[row[inside], column[inside]]
                 pixels.append((row * self.shape[1] + column)[inside])
                 closeness.append(close[inside])
                 weights.append(np.full(np.count_nonzero(inside),

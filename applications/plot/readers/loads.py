@@ -24,6 +24,7 @@ class Loads:
         self.areas = self.file["area"][:]
         self.times = self.file["time"][:]
         self._check()
+        self.vertices, self.outlines = self._corners()
 
     def _check(self):
         """Raises ValueError where data sets are missing or do not fit."""
@@ -39,6 +40,23 @@ class Loads:
             if data is None or data.shape != shape or data.dtype.kind != "f":
                 raise ValueError(f'the data set "{name}" is missing or not '
                                  f"of {' x '.join(map(str, shape))} numbers")
+
+    def _corners(self):
+        """Of facets in space: vertices [m], and those of each facet in order;
+        none of either in files without. Raises ValueError for others."""
+        if self.is_flat or "vertex" not in self.file:
+            return np.zeros((0, 3)), []
+        vertices, mixed = self.file["vertex"][:], self.file["connectivity"][:]
+        outlines, begin = [], 0
+        while begin + 2 <= len(mixed):
+            end = begin + 2 + max(int(mixed[begin + 1]), 1)
+            outlines.append(mixed[begin + 2:end])
+            begin = end
+        if begin != len(mixed) or len(outlines) != len(self.areas) or (
+                outlines and not 0 <= mixed.min() <= max(
+                    map(np.max, outlines)) < len(vertices)):
+            raise ValueError("the corners of facets are not what they should be")
+        return vertices, outlines
 
     def __contains__(self, name):
         return name in self.file

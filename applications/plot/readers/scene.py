@@ -29,8 +29,7 @@ class Scene:
         self.facts = files.read_json(os.path.join(folder, "scene.json"),
                                      json_shape.SCENE)
         self.anatomy, self.blast, self.biomechanics = (
-            Stage(os.path.join(folder, self._folder_of(name)))
-            for name in STAGES)
+            self.stage(name) for name in STAGES)
         self.parameters = read_entries(os.path.join(folder, "parameters.prm"))
         self.coarser = self._coarser_run()
         if not self.facts and not any(
@@ -49,14 +48,15 @@ class Scene:
                              for stage in stages):
             return None
         return CoarserRun(*(
-            Stage(os.path.join(self.folder, self._folder_of(name)))
+            self.stage(name)
             for name in ("coarser_blast", "coarser_biomechanics")))
 
-    def _folder_of(self, name):
-        for stage in self.list_of("stages"):
-            if stage.get("name") == name and stage.get("folder"):
-                return stage["folder"]
-        return name
+    def stage(self, name):
+        """The folder of a stage, which may not be there."""
+        folder = next((stage["folder"] for stage in self.list_of("stages")
+                       if stage.get("name") == name and stage.get("folder")),
+                      name)
+        return Stage(os.path.join(self.folder, folder))
 
     def list_of(self, name):
         """A list of objects in scene.json, [] if missing."""

@@ -216,7 +216,7 @@ def cost(scene):
         if not told and not stage.exists:
             continue
         rows.append(cost_row(name, told, stage))
-    rows += [cost_row(str(name), told, None)
+    rows += [cost_row(str(name), told, scene.stage(name))
              for name, told in listed.items()]
     if not rows:
         return [page.missing("stages in scene.json")]
@@ -255,7 +255,7 @@ def cost_row(name, told, stage):
             _duration(value("wall_seconds", "wall_seconds")),
             _duration(value("core_seconds", "core_seconds")),
             _bytes(value("peak_memory", "peak_memory_bytes")), _bytes(disk),
-            ", ".join(sizes))
+            ", ".join(sizes) or "–")
 
 
 def _interruptions(summary):

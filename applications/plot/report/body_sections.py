@@ -59,12 +59,12 @@ def waves(scene):
         # Beside the plane of symmetry, where elements have no faces.
         panels = fields.cut_fields(outputs, 1e-4)
         whole = page.drawn(body_cuts.draw_pressures, panels, is_head)
-        in_middle = _tissues_at(outputs[0][1], 1e-4)
+        in_middle = _tissues_at(scene, outputs[0][1], 1e-4)
         head = page.drawn(body_cuts.draw_pressures, panels, True) \
             if "brain" in in_middle and not is_head else None
         panels_beside = fields.cut_fields(outputs, place)
         beside = page.drawn(body_cuts.draw_pressures, panels_beside, is_head)
-        tissues = _tissues_at(outputs[0][1], place)
+        tissues = _tissues_at(scene, outputs[0][1], place)
         stiff = " The stiff skeleton stands out." \
             if "skeleton" in in_middle else ""
     times = page.moments([time for time, _ in outputs])
@@ -84,10 +84,11 @@ def waves(scene):
                     f"through {tissues}, with one colour scale for all "
                     "times.")]
     if head is not None:
+        top = {"head": "head", "body": "top of the body"}[_head(scene)]
         parts.append(page.figure(
-            head, "The head cut along its middle, coloured by the pressure "
-            f"after {times}.",
-            f"Pressure in the head, in the {middle}, with one colour scale "
+            head, f"The {top} cut along its middle, coloured by the "
+            f"pressure after {times}.",
+            f"Pressure in the {top}, in the {middle}, with one colour scale "
             "for all times."))
     return parts + [page.paragraph(
         "Pressures are averages over neighbouring elements: in nearly "
@@ -109,15 +110,22 @@ def _span(panels):
                                  for bound in signals.extremes(values))
 
 
-def _tissues_at(pieces, place):
+def _tissues_at(scene, pieces, place):
     """Tissues in a parasagittal plane, in words."""
     numbers = fields.cut_values(pieces, place, "tissue")[1]
-    return page.joined(tissue_places.NAMES.get(int(number), "other tissue")
+    names = tissue_places.names(scene)
+    return page.joined(names.get(int(number), tissue_places.OTHER)
                        for number in np.unique(numbers))
 
 
+def _head(scene):
+    """What the top of a body with a brain is called."""
+    return "head" if scene.facts.get("body") not in ("shape", "mesh") \
+        else "body"
+
+
 def _peaks(scene):
-    """Extremes of each element of the head over the run, if recorded."""
+    """Extremes of each element over the run, if recorded."""
     pieces = scene.field_list()[-1][1]
     found = []
     for name, title, unit, is_signed in PEAKS:
@@ -128,7 +136,7 @@ def _peaks(scene):
     if not found:
         return []
     averaged = scene.biomechanics.parameters.get("Peaks/Pressure") == "averaged"
-    body = "head" if injury_table.has_brain(scene) else "body"
+    body = _head(scene) if injury_table.has_brain(scene) else "body"
     return [page.figure(
         _draw_peaks(found),
         f"The {body} cut along its middle, coloured by "

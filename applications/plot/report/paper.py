@@ -346,7 +346,7 @@ def _body(scene, probes):
             "the one-way coupling strategy",
             f"{page.quantity(shift[0], 'm')} at most after "
             f"{page.milliseconds(shift[1])}, in "
-            + tissue_places.NAMES.get(shift[2], "other tissue"),
+            + tissue_places.names(scene).get(shift[2], tissue_places.OTHER),
             AGREES if few else PARTLY if 1e-3 < shift[0] < 0.1 else DIFFERS,
             "" if few else "the softest parts move most; the model has "
             "neither contact with the ground nor gravity"))

@@ -240,15 +240,19 @@ def _held(scene):
 
 def _brain(judged):
     """What of strain, tension and motion exceeds a threshold."""
-    entries = [entry for entry in judged if entry.name.startswith("injury_")
-               and not entry.name.startswith("injury_lung")
-               and entry.has_verdict]
+    measures = [entry for entry in judged if entry.name.startswith("injury_")
+                and not entry.name.startswith("injury_lung")]
+    entries = [entry for entry in measures if entry.has_verdict]
     if not entries:
         return None
     above = [entry for entry in entries if entry.exceeded()]
     unsure = [entry for entry in entries if entry.is_certain() is False]
     if not above:
-        return Verdict("brain", "brain: below all thresholds", "good",
+        beyond = page.joined(entry.short_title() for entry in measures
+                             if entry.exceeded())
+        return Verdict("brain", "brain: below all thresholds"
+                       + (f" but that of an exposure, {beyond}" if beyond
+                          else ""), "mid" if beyond else "good",
                        f"{UNSURE}: " + page.joined(
                            entry.short_title() for entry in unsure)
                        if unsure else "", entries[0])
