@@ -591,6 +591,17 @@ def near_sides():
                    entry("Blast/Domain/Upper corner", "0.64, 0.64, 1.92"),
                    entry("Blast/Domain/Coarse leaves", "3, 2, 3")),
            "WARNING: reflection: from the charge by the open side x high back")
+    street = [entry("Scene/End time", "0.006"),
+              entry("Blast/Domain/Lower corner", "-1.28, -1.28, 0"),
+              entry("Blast/Domain/Upper corner", "4.48, 1.28, 3.2"),
+              entry("Blast/Probes/Gauge planes",
+                    "2.8, -0.2, 1.5 : 4.4, 0.2, 1.5 : 9, 5")]
+    yield ("reflection at a plane of gauges", "scene", shipped(SCENE, *street),
+           "by the open side x high back to the probe at 4.4, 0, 1.5 m")
+    yield ("gauges in coarse cells", "scene",
+           shipped(SCENE, *street,
+                   entry("Blast/Adaptation/Limit far away/Radius", "0.5")),
+           "WARNING: gauge cells: cells of 80 mm at the probe at ")
 
 
 def refused_studies():

@@ -174,6 +174,41 @@ TEST(SceneFiles, LeavesGetCoarserAfterTheGroundsReflectionHasPassed)
 }
 
 
+// Behind the charge fronts are then as fine as at the body, until they have
+// passed.
+TEST(SceneFiles, KeepFrontsFineAtGaugesOfTheUser)
+{
+  SceneParameters scene = scene_with(2.337, 1.27);
+  const auto entries_for = [&](const std::vector<GaugeRaster> &gauges) {
+    scene.gauges = gauges;
+    return blast_entries(scene, SceneLayout(scene, standing_box()), 78.5);
+  };
+  const Point<3> far(9., 1., 1.5);
+  const auto usual = entries_for({}),
+             with = entries_for({{Point<3>(3., -1., 1.5), far}});
+  const auto distance_to_balls = [&](const std::vector<Assignment> &entries,
+                                     const std::string &limit) {
+    double least = 1e9;
+    for (const std::string &place :
+         split(values_of(entries).at("Adaptation/" + limit + "/Center"), ';'))
+      least = std::min(least, far.distance(point_of(place).value()));
+    return least - number(entries, limit, "Radius");
+  };
+  for (const char *limit :
+       {"Limit not at the body", "Limit far away", "Limit gone"})
+  {
+    EXPECT_GT(distance_to_balls(usual, limit), 0.) << limit;
+    EXPECT_LT(distance_to_balls(with, limit), 0.) << limit;
+  }
+  const double arrival =
+    SceneLayout(scene, standing_box())
+      .incident_wave(scene)
+      .value(BlastQuantity::arrival, far.distance(*scene.place));
+  EXPECT_LT(number(usual, "Limit later", "From time"), arrival);
+  EXPECT_GT(number(with, "Limit later", "From time"), arrival);
+}
+
+
 TEST(SceneFiles, HandOnMassesPlacesAndTimesOfTheScene)
 {
   SceneParameters scene = scene_with(2.337, 1.27);
@@ -346,7 +381,8 @@ TEST(SceneFiles, KeepReflectionsFromProbesOfTheUserInTheDomain)
   const Point<3> probe(
     usual.upper[0] - 0.1, 0.5 * usual.upper[1], 0.5 * usual.upper[2]);
   // Those outside are refused elsewhere.
-  scene.own_probes = {probe, Point<3>(0., 50., 1.)};
+  scene.gauges = {{probe, probe},
+                  {Point<3>(0., 50., 1.), Point<3>(0., 50., 1.)}};
   const SceneLayout watched(scene, standing_box());
   EXPECT_LT(watched.upper[1], 50.);
   Point<3> image = probe;

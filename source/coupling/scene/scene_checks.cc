@@ -2,11 +2,14 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/parameters/expression.h>
+#include <contrecoup/base/parameters/parameter_tree.h>
+#include <contrecoup/base/parameters/parameters.h>
 #include <contrecoup/base/system/coordinates.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/coupling/first_stage/first_stage_parameters.h>
 #include <contrecoup/coupling/scene/scene_checks.h>
+#include <contrecoup/gas/adaptation/size_limits.h>
 
 #include <algorithm>
 #include <cmath>
@@ -28,6 +31,26 @@ namespace
       if (const auto point = point_of(part))
         points.push_back(*point);
     return points;
+  }
+
+
+  gas::SizeLimits limits_of(const TaskText &blast)
+  {
+    std::vector<Assignment> of_limits;
+    for (const Assignment &assignment : blast.entries)
+      if (assignment.sections.size() == 2 &&
+          assignment.sections[0] == "Adaptation")
+        of_limits.push_back(assignment);
+    dealii::ParameterHandler prm;
+    {
+      const Section section(prm, "Adaptation");
+      gas::SizeLimits::declare_parameters(prm);
+    }
+    apply_assignments(of_limits, prm);
+    const Section section(prm, "Adaptation");
+    gas::SizeLimits limits;
+    limits.parse_parameters(prm, 3);
+    return limits;
   }
 
 
@@ -204,13 +227,14 @@ std::string reflection_warning(const PlannedScene &scene, const TaskText &blast)
       continue;
     const double place =
       side % 2 == 0 ? domain.lower_bound(d) : domain.upper_bound(d);
-    for (const Point<3> &probe : points_of(blast.values.at("Probes/Points")))
+    Point<3> image = layout.charge;
+    image[d] = 2. * place - image[d];
+    for (const GaugeRaster &gauge : find_gauges(blast.values))
     {
-      Point<3> image = probe;
-      image[d] = 2. * place - probe[d];
-      if (image.distance(layout.charge) >= shortest)
+      const Point<3> probe = gauge.nearest(image);
+      if (image.distance(probe) >= shortest)
         continue;
-      shortest = image.distance(layout.charge);
+      shortest = image.distance(probe);
       where = name + " back to the probe at " + coordinates(probe) + " m";
     }
   }
@@ -221,6 +245,53 @@ std::string reflection_warning(const PlannedScene &scene, const TaskText &blast)
                brief(layout.front_distance, 3) + " m until " +
                brief(scene.parameters().end_time) +
                " s; a larger Blast/Domain, or none, keeps its reflection away";
+}
+
+
+std::string gauge_cells_warning(const PlannedScene &scene,
+                                const TaskText &blast)
+{
+  constexpr double spacing = 0.3; // [m]
+  constexpr double sound_speed = 340.;
+  const SceneLayout &layout = scene.layout();
+  const SceneParameters &parameters = scene.parameters();
+  const IncidentWave wave = layout.incident_wave(parameters);
+  const gas::SizeLimits limits = limits_of(blast);
+  const auto most = static_cast<unsigned int>(
+    std::stoul(blast.values.at("Adaptation/Largest level")));
+  double fewest = parameters.accuracy.cells_per_phase;
+  std::string words;
+  for (const GaugeRaster &gauge : find_gauges(blast.values))
+    for (const Point<3> &place : gauge.places(spacing))
+    {
+      const double distance = place.distance(layout.charge);
+      const double arrival = wave.value(BlastQuantity::arrival, distance);
+      const unsigned int level =
+        limits.levels(place, arrival, {0, most}).max_level;
+      // Products are coarser beside the body, too.
+      if (level >= layout.front_levels || arrival > parameters.end_time ||
+          distance <= layout.fireball_radius(parameters))
+        continue;
+      const double cell = layout.cell_size(level);
+      const double n_cells =
+        sound_speed * wave.nearest_duration(distance) / cell;
+      if (n_cells >= fewest)
+        continue;
+      fewest = n_cells;
+      words = "cells of " + brief(1e3 * cell) + " mm at the probe at " +
+              coordinates(place) + " m have " + brief(n_cells, 2) +
+              " in the positive phase";
+    }
+  if (words.empty())
+    return "";
+  const double front = layout.cell_size(layout.front_levels);
+  return "WARNING: gauge cells: " + words +
+         ", where fronts beside the body have " +
+         brief(sound_speed * layout.positive_phase / front, 2) + " of " +
+         brief(1e3 * front) +
+         " mm: peaks and injuries there are too low; smaller Blast/Probes/Gauge "
+         "planes, or Blast/Adaptation without limits of one's own, have cells "
+         "as fine as there";
 }
 
 

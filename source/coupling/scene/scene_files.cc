@@ -231,6 +231,76 @@ namespace
   }
 
 
+  /// Distance between centres of balls of fine cells [m].
+  constexpr double spacing = 0.6;
+
+  /// Centres of the balls in which fronts are as fine as at the body: around
+  /// body and gauges, unless these need so many that each leaf would take long.
+  std::vector<Point<3>> fine_places(const SceneParameters &scene,
+                                    const SceneLayout &layout)
+  {
+    constexpr std::size_t most = 400;
+    const std::vector<Point<3>> at_body = balls_near(layout, spacing);
+    std::vector<Point<3>> places = at_body;
+    for (const GaugeRaster &gauge : scene.gauges)
+    {
+      const auto more = gauge.places(spacing);
+      places.insert(places.end(), more.begin(), more.end());
+    }
+    return places.size() > most ? at_body : places;
+  }
+
+
+  /// Radius about @p center that holds all gauges, at least @p radius [m].
+  double radius_with_gauges(const SceneParameters &scene,
+                            const Point<3> &center,
+                            double radius)
+  {
+    for (const GaugeRaster &gauge : scene.gauges)
+      radius =
+        std::max(radius, farthest_distance(gauge.box(), center) + spacing);
+    return radius;
+  }
+
+
+  /// Coarser cells when the wave has passed body and gauges.
+  void set_later_adaptation(const SceneParameters &scene,
+                            const SceneLayout &layout,
+                            Entries &entries)
+  {
+    const unsigned int front = layout.front_levels;
+    const std::string accuracy = "Scene/Accuracy";
+    // After the ground reflection, too, has passed the whole body.
+    const double later =
+      std::max(2.8 * layout.earliest_arrival, layout.last_arrival);
+    const double at_last = 1.5 * later;
+    if (later >= scene.end_time)
+      return;
+    entries.set("Adaptation/Limit later/From time", later);
+    entries.set("Adaptation/Limit later/Largest level",
+                front > 1 ? front - 1 : 0U,
+                accuracy);
+    if (at_last < scene.end_time)
+    {
+      entries.set("Adaptation/Limit at last/From time", at_last);
+      entries.set("Adaptation/Limit at last/Largest level",
+                  front > 2 ? front - 2 : 0U,
+                  accuracy);
+    }
+    // Fronts that have passed the body, the ground reflection included, do not
+    // return.
+    const Point<3> center = layout.body.center();
+    set_limit("gone",
+              0U,
+              "outside of ball",
+              {center},
+              radius_with_gauges(
+                scene, center, 0.5 * diagonal(layout.body) + SceneLayout::leaf),
+              entries);
+    entries.set("Adaptation/Limit gone/From time", later);
+  }
+
+
   void set_adaptation(const SceneParameters &scene,
                       const SceneLayout &layout,
                       Entries &entries)
@@ -239,15 +309,6 @@ namespace
     const auto below = [&](const unsigned int n) {
       return front > n ? front - n : 0U;
     };
-    const double spacing = 0.6;
-    const std::string accuracy = "Scene/Accuracy";
-    // After the ground reflection, too, has passed the whole body.
-    const double later =
-      std::max(2.8 * layout.earliest_arrival, layout.last_arrival);
-    const double at_last = 1.5 * later;
-    // The radius of the fireball scales with the cube root of the charge: 0.9
-    // m for 2.268 kg of C-4.
-    const double fireball = 0.685 * std::cbrt(scene.mass);
     const Point<3> middle =
       layout.charge + 0.5 * (layout.body.center() - layout.charge);
     entries.set("Adaptation/Active", "true");
@@ -255,38 +316,27 @@ namespace
     entries.set("Adaptation/Noise", 0.05);
     entries.set("Adaptation/Interval", 0U);
     entries.set("Adaptation/Buffer side", "ahead");
-    entries.set("Adaptation/Largest level", front, accuracy);
+    entries.set("Adaptation/Largest level", front, "Scene/Accuracy");
     set_limit("not at the body",
               below(1),
               "outside of ball",
-              balls_near(layout, spacing),
+              fine_places(scene, layout),
               0.7,
               entries);
-    set_limit("fireball", below(1), "ball", {layout.charge}, fireball, entries);
-    set_limit("far away",
-              below(2),
-              "outside of ball",
-              {middle},
-              0.5 * layout.distance + spacing,
+    set_limit("fireball",
+              below(1),
+              "ball",
+              {layout.charge},
+              layout.fireball_radius(scene),
               entries);
-    if (later >= scene.end_time)
-      return;
-    entries.set("Adaptation/Limit later/From time", later);
-    entries.set("Adaptation/Limit later/Largest level", below(1), accuracy);
-    if (at_last < scene.end_time)
-    {
-      entries.set("Adaptation/Limit at last/From time", at_last);
-      entries.set("Adaptation/Limit at last/Largest level", below(2), accuracy);
-    }
-    // Fronts that have passed the body, the ground reflection included, do not
-    // return.
-    set_limit("gone",
-              0U,
-              "outside of ball",
-              {layout.body.center()},
-              0.5 * diagonal(layout.body) + SceneLayout::leaf,
-              entries);
-    entries.set("Adaptation/Limit gone/From time", later);
+    set_limit(
+      "far away",
+      below(2),
+      "outside of ball",
+      {middle},
+      radius_with_gauges(scene, middle, 0.5 * layout.distance + spacing),
+      entries);
+    set_later_adaptation(scene, layout, entries);
   }
 
 

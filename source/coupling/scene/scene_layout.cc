@@ -41,19 +41,6 @@ namespace
   }
 
 
-  /// Distance from @p place to the farthest corner of the box [m].
-  double farthest_distance(const dealii::BoundingBox<3> &box,
-                           const Point<3> &place)
-  {
-    double squares = 0.;
-    for (unsigned int d = 0; d < 3; ++d)
-      squares += std::pow(std::max(std::abs(box.lower_bound(d) - place[d]),
-                                   std::abs(box.upper_bound(d) - place[d])),
-                          2);
-    return std::sqrt(squares);
-  }
-
-
   /// A length to four digits, rounded up.
   std::string at_least(const double length)
   {
@@ -95,6 +82,14 @@ SceneLayout::SceneLayout(const SceneParameters &scene,
   expect_front(scene, blast);
   const Point<3> image(charge[0], charge[1], -charge[2]);
   last_arrival = blast.arrival(farthest_distance(body, image));
+  const IncidentWave wave = incident_wave(scene);
+  for (const GaugeRaster &gauge : scene.gauges)
+  {
+    const double way = farthest_distance(gauge.box(), charge);
+    last_arrival = std::max(last_arrival,
+                            wave.value(BlastQuantity::arrival, way) +
+                              wave.nearest_duration(way));
+  }
   // The ground sends the charge's energy into one half of the air.
   const ExpectedBlast outward(2. * scene.energy(), air_pressure, air_density);
   front_distance = outward.radius(scene.end_time);

@@ -98,7 +98,7 @@ void SceneLayout::size_domain(const SceneParameters &scene,
       " s are possible");
   }
   set_corners();
-  watch(scene.own_probes);
+  watch(scene.gauges);
 }
 
 
@@ -114,12 +114,13 @@ void SceneLayout::set_corners()
 }
 
 
-void SceneLayout::watch(const std::vector<Point<3>> &probes)
+void SceneLayout::watch(const std::vector<GaugeRaster> &gauges)
 {
   const dealii::BoundingBox<3> domain({lower, upper});
-  for (const Point<3> &place : probes)
-    if (domain.point_inside(place))
-      watched_.push_back(place);
+  for (const GaugeRaster &gauge : gauges)
+    if (domain.point_inside(gauge.begin) && domain.point_inside(gauge.end))
+      for (const Point<3> &corner : {gauge.begin, gauge.end})
+        watched_.push_back(corner);
   if (product_of(leaves_for(front_distance)) > max_leaves)
     watched_.clear();
   set_corners();
@@ -152,5 +153,11 @@ void SceneLayout::take_domain(const SceneParameters &scene)
                      brief(max_leaves) + " leaves of " + brief(leaf) + " m");
   choose_levels(scene);
   check_charge(scene);
+}
+
+
+double SceneLayout::fireball_radius(const SceneParameters &scene) const
+{
+  return 0.685 * std::cbrt(scene.mass);
 }
 } // namespace contrecoup::coupling

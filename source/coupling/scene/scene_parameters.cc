@@ -333,7 +333,10 @@ void SceneParameters::parse_parameters(ParameterHandler &prm)
   parse_thresholds(prm);
   const Section blast(prm, "Blast");
   const Section probes(prm, "Probes");
-  own_probes = read_points<3>(prm, "Points");
+  std::map<std::string, std::string> entries;
+  for (const std::string entry : {"Points", "Lines", "Gauge planes"})
+    entries["Probes/" + entry] = prm.get(entry);
+  gauges = find_gauges(entries);
 }
 
 

@@ -175,8 +175,8 @@ namespace
       return all;
     }
 
-    /// Shows which entries of the user have no effect on this scene, and a
-    /// reflection from a side that is too near.
+    /// Shows which entries of the user have no effect on this scene, a
+    /// reflection from a side that is too near, and gauges in coarse cells.
     void warn() const
     {
       std::vector<Assignment> own;
@@ -204,9 +204,10 @@ namespace
       const std::vector<TaskText> all = texts();
       for (const TaskText &text : all)
         warnings.insert(warnings.end(), text.unused.begin(), text.unused.end());
-      const std::string reflection = reflection_warning(scene_, all[1]);
-      if (!reflection.empty())
-        warnings.push_back(reflection);
+      for (const std::string &warning : {reflection_warning(scene_, all[1]),
+                                         gauge_cells_warning(scene_, all[1])})
+        if (!warning.empty())
+          warnings.push_back(warning);
       for (const std::string &warning : warnings)
         show_line(warning);
     }

@@ -19,11 +19,20 @@ void check_blast(const PlannedScene &scene, const TaskText &blast);
 
 /**
  * A warning where the domain that the user wrote lets the front come back from
- * an open side, taken as a mirror, to a probe before the end of the scene;
+ * an open side, taken as a mirror, to a probe, also one of a line or a plane,
+ * before the end of the scene;
  * empty: it does not.
  */
 std::string reflection_warning(const PlannedScene &scene,
                                const TaskText &blast);
+
+/**
+ * A warning where probes, lines and planes of gauges have coarser cells than
+ * fronts at the body, too coarse for the cells that the positive phase should
+ * have there; empty: they have not.
+ */
+std::string gauge_cells_warning(const PlannedScene &scene,
+                                const TaskText &blast);
 
 /**
  * Checks biomechanics against the blast: it may not last longer than the loads,

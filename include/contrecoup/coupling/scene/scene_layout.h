@@ -33,7 +33,7 @@ struct SceneLayout
   /**
    * Determines the position of the charge, the plane of symmetry, and a domain
    * so large that the time to first reflection from an open side (taken as a
-   * mirror) at body and probe, and at probes of the user within the domain, is
+   * mirror) at body and probe, and at gauges of the user within the domain, is
    * later than the end time. The front is that of
    * ExpectedBlast in free air of 101325 Pa and 1.225 kg/m^3.
    * @param surface surface of the body
@@ -81,7 +81,8 @@ struct SceneLayout
   /// Expected arrival of the front at the body [s] and its overpressure [Pa]:
   /// see IncidentWave.
   double arrival, overpressure;
-  /// Time when the ground reflection has passed the body [s]
+  /// Time when the ground reflection has passed the body, and the incident wave
+  /// the gauges that the user added [s]
   double last_arrival;
   /// Positive phase of the incident wave at the body by Kingery and Bulmash,
   /// at the nearest distance that they cover [s]
@@ -107,6 +108,10 @@ struct SceneLayout
   /// Distance from the charge to the nearest of the body and the open sides
   /// [m].
   double unobstructed_distance() const;
+
+  /// Radius of the products of the explosive at rest, which scales with the
+  /// cube root of the mass: 0.9 m for 2.268 kg of C-4 [m].
+  double fireball_radius(const SceneParameters &scene) const;
 
   /// Whether the front has swept more than the charge's mass of air when it
   /// reaches the body; only then the expected arrival is meaningful.
@@ -145,8 +150,8 @@ private:
   std::array<std::array<double, 2>, 3> leaves_for(double front_distance) const;
   void size_domain(const SceneParameters &scene, const ExpectedBlast &blast);
   void set_corners();
-  /// Extends the domain for probes of the user, as far as max_leaves allows.
-  void watch(const std::vector<dealii::Point<3>> &probes);
+  /// Extends the domain for gauges of the user, as far as max_leaves allows.
+  void watch(const std::vector<GaugeRaster> &gauges);
 
   OwnGrid own_;
   std::vector<dealii::Point<3>> watched_;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <contrecoup/base/parameters/parameter_file.h>
+#include <contrecoup/coupling/scene/gauge_raster.h>
 #include <contrecoup/materials/explosives.h>
 #include <contrecoup/materials/own_tissues.h>
 #include <contrecoup/numerics/injury/own_thresholds.h>
@@ -107,10 +108,10 @@ struct SceneParameters
   double height = 0.;   ///< of the charge's centre above the ground [m]
   /// Position of the charge's centre instead [m]
   std::optional<dealii::Point<3>> place;
-  std::vector<dealii::Point<3>> own_probes; ///< Blast/Probes/Points
-  std::string tissues;                      ///< set in the tissue library
-  OwnTissues own_tissues;       ///< new ones and changes of those of the set
-  OwnThresholds own_thresholds; ///< of injuries
+  std::vector<GaugeRaster> gauges; ///< of Blast/Probes
+  std::string tissues;             ///< set in the tissue library
+  OwnTissues own_tissues;          ///< new ones and changes of those of the set
+  OwnThresholds own_thresholds;    ///< of injuries
   /// Values of explosive, tissues and thresholds that are not those of the
   /// libraries.
   std::vector<ChangedEntry> changes;
