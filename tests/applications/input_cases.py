@@ -519,7 +519,7 @@ def thin_layers():
            shipped(SCENE, entry("Scene/End time", "0.005"), skin),
            "WARNING: skin, 4 mm (Body/Phantom/Skin thickness) is thinner than "
            "the elements of 10 mm, so that there are holes; Scene/Element size "
-           "of at most 4 mm closes them")
+           "of at most 2.3 mm closes them")
     yield ("layers of a scene", "scene",
            shipped(SCENE, entry("Scene/End time", "0.005"), *head,
                    entry("Body/Shift", "0, 0, 1"),
@@ -532,7 +532,7 @@ def thin_layers():
            shipped("biomechanics/quickstart.prm", skin),
            "WARNING: skin, 4 mm (Body/Phantom/Skin thickness) is thinner than "
            "the elements of 10 mm, so that there are holes; Mesh/Element size "
-           "of at most 4 mm closes them")
+           "of at most 2.3 mm closes them")
 
 
 def unused():

@@ -41,10 +41,10 @@ TEST(BodyLayer, WarnsOfAThicknessOfTheUser)
   EXPECT_EQ(thin_layer_lines(layers, 0.01, 0.01, "Mesh/Element size"),
             (Lines{"WARNING: skin, 4 mm (Body/Phantom/Skin thickness) is "
                    "thinner than the elements of 10 mm, so that there are "
-                   "holes; Mesh/Element size of at most 4 mm closes them",
+                   "holes; Mesh/Element size of at most 2.3 mm closes them",
                    "cerebrospinal fluid, 2.5 mm (Body/Phantom) is thinner "
                    "than the elements of 10 mm, so that there are holes; "
-                   "Mesh/Element size of at most 2.5 mm closes them"}));
+                   "Mesh/Element size of at most 1.4 mm closes them"}));
   EXPECT_EQ(thin_layer_lines(layers, 0.0025, 0.01, "Mesh/Element size"),
             Lines{});
 }
@@ -154,6 +154,6 @@ TEST(BodyLayer, OfLabelsAreAsThickAsTheirVoxels)
   EXPECT_EQ(
     thin_layer_lines(layers, 0.01, 0.01, "Mesh/Element size"),
     Lines{"fluid, 6 mm (Body/Image/File) is thinner than the elements of "
-          "10 mm, so that there are holes; Mesh/Element size of at most 6 "
+          "10 mm, so that there are holes; Mesh/Element size of at most 3.4 "
           "mm closes them"});
 }

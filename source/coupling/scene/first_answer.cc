@@ -50,6 +50,8 @@ namespace
   std::string ground_in_words(const SceneParameters &scene,
                               const SceneLayout &layout)
   {
+    if (layout.charge[2] > layout.distance)
+      return "reflection by the ground, which comes after the wave";
     const IncidentWave alone = layout.incident_wave(scene);
     SceneLayout on_ground = layout;
     on_ground.is_surface_burst = true;

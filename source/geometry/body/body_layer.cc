@@ -10,6 +10,7 @@
 #include <contrecoup/geometry/image/part_thickness.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace contrecoup
 {
@@ -18,6 +19,15 @@ namespace
   std::string millimetres(const double length)
   {
     return brief(1e3 * length, 3) + " mm";
+  }
+
+
+  /// Largest elements, in tenths of a millimetre, of which a layer of any
+  /// direction has no holes: their diagonal is its thickness.
+  double closed_by(const double thickness)
+  {
+    constexpr double tenth = 1e-4, round_off = 1e-9;
+    return tenth * std::floor(thickness / std::sqrt(3.) / tenth + round_off);
   }
 
 
@@ -140,7 +150,7 @@ namespace
     return join(words, ", ") + (words.size() > 1 ? " are" : " is") +
            " thinner than the elements of " + millimetres(element_size) +
            ", so that there are holes; " + entry + " of at most " +
-           millimetres(least) + " closes them";
+           millimetres(closed_by(least)) + " closes them";
   }
 } // namespace
 
