@@ -691,6 +691,16 @@ class ReportTest(unittest.TestCase):
         rows = str(accuracy.cost(Scene(folder))[0])
         self.expect(rows, ">77 cells, 99 steps<", ">–<")
 
+    def test_size_of_a_mesh_that_adapted(self):
+        """Its most cells, of which the forecast speaks, and those at the end."""
+        folder = self.copy_without()
+        tiny_scene.write(
+            os.path.join(folder, "coarser_blast", "summary.json"),
+            json.dumps({"application": "blast", "cells": 77, "steps": 99,
+                        "performance": {"largest_cells": 88}}))
+        self.expect(str(accuracy.cost(Scene(folder))[0]),
+                    ">88 cells at most, 77 cells at the end, 99 steps<")
+
     def test_phases_with_two_waves(self):
         """The error of a positive phase does not hold where either run has a dip
         before a second wave in it: the time to the first dip is told."""

@@ -247,9 +247,14 @@ def cost_row(name, told, stage):
         disk = float(sum(os.path.getsize(os.path.join(here, file))
                          for here, _, names in os.walk(stage.folder)
                          for file in names))
-    sizes = [f"{page.count(summary[key])} {word}" for key, word in
-             (("cells", "cells"), ("unknowns", "unknowns"),
-              ("steps", "steps")) if summary.get(key) is not None]
+    most = files.as_number(spent.get("largest_cells"))
+    adapted = most is not None and most != summary.get("cells")
+    sizes = [f"{page.count(most)} cells at most"] if adapted else []
+    sizes += [f"{page.count(summary[key])} {word}" +
+              (" at the end" if adapted and key != "steps" else "")
+              for key, word in (("cells", "cells"), ("unknowns", "unknowns"),
+                                ("steps", "steps"))
+              if summary.get(key) is not None]
     status = str(told.get("status") or summary.get("status") or "–")
     return (name, status + _interruptions(summary),
             _duration(value("wall_seconds", "wall_seconds")),
