@@ -88,14 +88,18 @@ void SceneLayout::size_domain(const SceneParameters &scene,
       const double middle = 0.5 * (low + high);
       (fits(middle) ? low : high) = middle;
     }
+    const double latest = blast.arrival(low);
     throw InputError(
       "Scene/End time = " + brief(scene.end_time) + " s: the front travels " +
       brief(front_distance, 2) +
       " m until then; a domain without reflections from open sides at the "
       "body would have " +
-      brief(product_of(leaves_for(front_distance)), 2) + many + "; from " +
-      brief(arrival) + " to " + brief(blast.arrival(low), 3) +
-      " s are possible");
+      brief(product_of(leaves_for(front_distance)), 2) + many + "; " +
+      (latest > arrival
+         ? "from " + brief(arrival) + " to " + brief(latest, 3) +
+             " s are possible"
+         : "none is possible, for the blast reaches the body at " +
+             brief(arrival) + " s; a smaller distance or body is needed"));
   }
   set_corners();
   watch(scene.gauges);
