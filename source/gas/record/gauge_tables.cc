@@ -177,6 +177,7 @@ namespace
   {
     std::string rows;
     const auto values = air_injury_values(air, body_mass);
+    constexpr std::size_t n_of_lungs = 2; // the first ones
     const std::size_t n_values = values.size() - (with_chest ? 0 : 2);
     for (std::size_t k = 0; k < n_values; ++k)
       if (!std::isnan(values[k]))
@@ -184,7 +185,8 @@ namespace
                     air.place,
                     values[k],
                     air_injury_quantities[k].second,
-                    air_injury_definitions[k]);
+                    air_injury_definitions[k] +
+                      (air.is_cut && k < n_of_lungs ? cut_off_words : ""));
     if (with_chest)
       rows +=
         row("peak_overpressure",

@@ -268,8 +268,9 @@ void ProbeSet<dim>::finish()
                    found[i],
                    probes_.ambient()[i],
                    probes_.exposures()[i],
-                   probes_.records()[i].running});
-    if (is_cut_off(found[i], last_time_))
+                   probes_.records()[i].running,
+                   is_cut_off(found[i], last_time_)});
+    if (air.back().is_cut)
       cut.push_back(air.back().place);
     if (is_habitable(air.back().ambient) &&
         lungs_are_unknown(air.back(), body_mass_))

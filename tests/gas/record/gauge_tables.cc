@@ -200,6 +200,21 @@ TEST(GaugeTables, TellWhatAWaveDoesToAPersonInTheAir)
   EXPECT_EQ(air_injury_table({{"probe 2", {}, 101325., {}, 0.}}, 70., true),
             "");
 
+  // Where the run cuts the wave off, the load is a lower limit, the peak is
+  // not.
+  const auto cut = rows_of(air_injury_table(
+    {{"probe 1", wave, 101325., exposure, 500., true}}, 70., false));
+  ASSERT_EQ(cut.size(), 4U);
+  const std::string words = "a lower limit: the run ends before";
+  for (const std::size_t k : {1U, 2U, 3U})
+  {
+    EXPECT_EQ(cut[k][2], rows[k][2]);
+    // Definitions have commas.
+    const std::string text = join(cut[k], ",");
+    EXPECT_EQ(text.find(words) != std::string::npos, k < 3) << text;
+    EXPECT_EQ(join(rows[k], ",").find(words), std::string::npos);
+  }
+
   // The motion of the chest and the 4 psi of training where they are asked for.
   ExposureRecord unknown;
   unknown.continue_after({20e3, 1e-3, 40., 40., 6e-3}, 101325.);

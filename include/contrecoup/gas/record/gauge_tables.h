@@ -70,6 +70,9 @@ struct AirBlast
   double ambient = 0.; ///< pressure [Pa]
   ExposureRecord exposure;
   double total_impulse = 0.; ///< of all positive phases so far [Pa s]
+  /// Whether the run ends before the positive phase does: loads on lungs are
+  /// then lower limits, and said to be.
+  bool is_cut = false;
 };
 
 /// Names and units of the measures of injury in the air, in the order of
