@@ -5,6 +5,7 @@
 #include <contrecoup/base/system/log.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/study/study.h>
+#include <contrecoup/study/study_result.h>
 
 #include <algorithm>
 #include <cmath>
@@ -160,6 +161,16 @@ void Study::check() const
                  : join(factor.labels, "; ")));
   require_possible_outputs(forecasts);
   require_accepted(forecasts);
+  StudyResult sizes;
+  for (std::size_t i = 0; i < forecasts.size(); ++i)
+    if (const double cells = forecasts[i].report.cost.cells; cells > 0.)
+    {
+      sizes.rows.emplace_back();
+      sizes.rows.back().variant = tasks_[i].variant;
+      sizes.rows.back().record.unknowns = cells;
+    }
+  for (const std::string &warning : place_rows(parameters_.factors, sizes))
+    show_line(warning);
   if (n_asked == tasks_.size())
     print_costs(forecasts);
   else

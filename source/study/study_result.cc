@@ -74,6 +74,36 @@ namespace
     return found;
   }
 
+  /// What contradicts that the meshes of a series are finer the smaller their
+  /// width is: the finest has fewer unknowns than the coarsest. Empty: nothing.
+  std::string contradiction(const Factor &factor,
+                            const std::size_t series,
+                            const std::vector<ResultRow> &rows)
+  {
+    const ResultRow *coarsest = nullptr, *finest = nullptr;
+    for (const ResultRow &row : rows)
+      if (row.series == series && std::isfinite(row.width) &&
+          std::isfinite(row.record.unknowns))
+      {
+        if (coarsest == nullptr || row.width > coarsest->width)
+          coarsest = &row;
+        if (finest == nullptr || row.width < finest->width)
+          finest = &row;
+      }
+    if (finest == nullptr ||
+        !(finest->record.unknowns < coarsest->record.unknowns))
+      return "";
+    const auto words = [&](const ResultRow &row) {
+      return brief(row.record.unknowns, 7) +
+             " unknowns (or cells) with width " + brief(row.width, 3);
+    };
+    return "WARNING: Vary " + factor.name +
+           "/Refinement: what it calls the finest mesh has " + words(*finest) +
+           ", the coarsest " + words(*coarsest) +
+           "; orders and extrapolations are left out. A number of cells refines "
+           "by count, the edge of a cell by size";
+  }
+
   /// Replaces quantities by their distance from the extrapolated limit.
   void extrapolate_series(const std::size_t series, StudyResult &result)
   {
@@ -222,6 +252,29 @@ namespace
   }
 } // namespace
 
+std::vector<std::string> place_rows(const std::vector<Factor> &factors,
+                                    StudyResult &result)
+{
+  for (ResultRow &row : result.rows)
+    place(factors, row, result.series);
+  const std::size_t refining = refining_factor(factors);
+  std::vector<std::string> warnings;
+  for (std::size_t i = 0; i < result.series.size(); ++i)
+  {
+    const std::string words =
+      refining == factors.size()
+        ? ""
+        : contradiction(factors[refining], i, result.rows);
+    if (words.empty())
+      continue;
+    for (ResultRow &row : result.rows)
+      if (row.series == i)
+        row.width = ResultRow::unknown;
+    warnings.push_back(words);
+  }
+  return warnings;
+}
+
 std::size_t StudyResult::n_unfinished() const
 {
   return static_cast<std::size_t>(
@@ -264,13 +317,16 @@ StudyResult evaluate(const StudyParameters &parameters,
   StudyResult result;
   for (const Task &task : tasks)
     if (task.outcome)
-    {
       result.rows.push_back(make_row(parameters, task));
-      place(parameters.factors, result.rows.back(), result.series);
-    }
+  result.remarks = place_rows(parameters.factors, result);
+  if (parameters.error.is_self_convergence())
+    for (ResultRow &row : result.rows)
+      if (!std::isfinite(row.width))
+        row.error = ResultRow::unknown;
+  const bool has_widths = result.remarks.empty();
   for (std::size_t i = 0; i < result.series.size(); ++i)
   {
-    if (parameters.error.is_self_convergence())
+    if (parameters.error.is_self_convergence() && has_widths)
       extrapolate_series(i, result);
     find_orders(i, result);
   }

@@ -15,6 +15,8 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <list>
+#include <regex>
 #include <sstream>
 #include <thread>
 
@@ -134,6 +136,27 @@ namespace
     }
     return result;
   }
+
+  /// Whether an address of summary.json is one of a numbered probe that the
+  /// history of probes beside it, which has each number, lacks.
+  bool is_of_missing_probe(const std::vector<std::string> &outputs,
+                           const std::string &address)
+  {
+    static const std::regex numbered("(.*)results\\.(probe_[0-9]+_).*"),
+      history("(.*)probes\\.csv:.*:(probe_[0-9]+_).*");
+    std::smatch wanted, found;
+    if (!std::regex_match(address, wanted, numbered))
+      return false;
+    bool has_others = false;
+    for (const std::string &output : outputs)
+      if (std::regex_match(output, found, history) && found[1] == wanted[1])
+      {
+        if (found[2] == wanted[2])
+          return false;
+        has_others = true;
+      }
+    return has_others;
+  }
 } // namespace
 
 std::vector<VariantForecast>
@@ -205,6 +228,8 @@ CostEstimate sum_of(const std::vector<VariantForecast> &forecasts,
 bool can_have(const std::vector<std::string> &outputs,
               const std::string &address)
 {
+  if (is_of_missing_probe(outputs, address))
+    return false;
   return std::any_of(
     outputs.begin(), outputs.end(), [&](const std::string &output) {
       // Without a colon an address is one of summary.json.
@@ -233,7 +258,8 @@ std::string suggest_output(const std::vector<std::string> &outputs,
     const std::string candidate = begin + end;
     // Any end is possible behind a beginning that is another one.
     const std::string asked = address.substr(0, address.size() - end.size());
-    if (can_have({output}, candidate) && are_near(asked, begin))
+    if (candidate != address && can_have({output}, candidate) &&
+        are_near(asked, begin))
       candidates.push_back(candidate);
   }
   const std::string best = suggest_address(address, candidates);

@@ -234,6 +234,21 @@ TEST(Columns, RefusesWhatIsNoAddress)
     EXPECT_NE(refusal([&]() { parse_columns(text); }), "") << text;
 }
 
+// Results of probes are those of the probes that the history has.
+TEST(VariantForecast, KnowsTheProbesOfARun)
+{
+  const std::vector<std::string> two = {"results.*",
+                                        "probes.csv:peak:probe_1_pressure",
+                                        "probes.csv:peak:probe_2_pressure",
+                                        "blast/results.*"};
+  EXPECT_TRUE(can_have(two, "results.probe_2_impulse"));
+  EXPECT_FALSE(can_have(two, "results.probe_3_impulse"));
+  EXPECT_FALSE(can_have(two, "results.probe_22_impulse"));
+  EXPECT_TRUE(can_have(two, "blast/results.probe_3_impulse"));
+  EXPECT_EQ(suggest_output(two, "results.probe_3_impulse").find("did you mean"),
+            std::string::npos);
+}
+
 TEST(VariantForecast, KnowsWhichOutputsArePossible)
 {
   const std::vector<std::string> outputs = {"steps",

@@ -165,6 +165,28 @@ TEST_F(FinishedStudy, TakesSizesOfCellsForMeshWidths)
   EXPECT_NEAR(result.rows[5].order, 1., 1e-12);
 }
 
+// Numbers of cells are no sizes: nothing can be said of errors then.
+TEST_F(FinishedStudy, LeavesOutWhatUnknownsContradict)
+{
+  read({"Vary level/Values=100; 200; 400",
+        "Vary level/Refinement=by size",
+        "Error/Kind=self convergence",
+        "Error/Name=value"});
+  for (const Task &task : tasks_)
+    std::ofstream(task.run_folder() + "/summary.json")
+      << nlohmann::json{{"unknowns", 32. * task.variant.numbers[1]},
+                        {"value", 7. + 1. / task.variant.numbers[1]}};
+  const StudyResult result = evaluate(parameters_, tasks_);
+  for (const ResultRow &row : result.rows)
+    EXPECT_TRUE(std::isnan(row.error) && std::isnan(row.order));
+  EXPECT_FALSE(result.recommended);
+  ASSERT_EQ(result.remarks.size(), 2U); // one for each scheme
+  EXPECT_NE(result.remarks[0].find("Vary level/Refinement: what it calls the "
+                                   "finest mesh has 3200 unknowns"),
+            std::string::npos)
+    << result.remarks[0];
+}
+
 TEST_F(FinishedStudy, MarksWhatTheEndOfARunCutsOff)
 {
   read({"Study/Columns=results.probe_1_impulse"});

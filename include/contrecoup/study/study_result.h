@@ -53,6 +53,14 @@ struct StudyResult
 };
 
 /**
+ * Gives the rows their series and mesh widths. Where unknowns contradict the
+ * widths of a series, these are unknown, too.
+ * @return a warning for each of these series
+ */
+std::vector<std::string> place_rows(const std::vector<Factor> &factors,
+                                    StudyResult &result);
+
+/**
  * Reads the results of all runs, and computes errors, orders and Pareto front.
  * Skips tasks without outcome.
  * @throws InputError when a finished run lacks the quantity of the error, and
