@@ -329,7 +329,9 @@ double ErrorMeasure::difference(const std::string &folder) const
 std::string ErrorMeasure::title() const
 {
   std::string name = name_;
-  std::replace(name.begin(), name.end(), '_', ' ');
+  // An output is called by its address, as the entry has it.
+  if (kind_ == "exact" || quantity_ != "summary")
+    std::replace(name.begin(), name.end(), '_', ' ');
   if (kind_ == "exact")
     return "error of " + name;
   const std::string what =

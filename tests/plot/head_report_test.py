@@ -298,6 +298,30 @@ class ParticlesTest(unittest.TestCase):
             self.assertEqual(f"(MPM/Smoothing = {smoothing})" in words, said)
 
 
+class RowsTest(unittest.TestCase):
+    """Steps that history.csv leaves out are told, and what probes had then."""
+
+    def test_words(self):
+        history = {"time": np.array([0., 1.]),
+                   "largest_pressure_csf": np.array([0., 7e5])}
+
+        class Probes(dict):
+            @staticmethod
+            def others(_):
+                return ["pressure_1", "density_1"]
+        for every, highest, words in (
+                (1., 9e5, ""), (10., 6e5, " (one of 10 steps; between them "
+                                "values may be larger)"),
+                (10., 9e5, " (one of 10 steps; between them values may be "
+                 "larger: probes, of every step, reach 900\u00a0kPa)")):
+            run = types.SimpleNamespace(
+                parameter=lambda _, of=every: [of], history=history,
+                column=lambda quantity, layer: history[f"{quantity}_{layer}"],
+                region=lambda layer: layer == "csf", probes=Probes(
+                    pressure_1=np.array([0., highest])))
+            self.assertEqual(head_report._rows_left_out(run), words)
+
+
 class CrossingTest(unittest.TestCase):
     def test_crossing(self):
         time = np.array([0., 1., 2., 3.])

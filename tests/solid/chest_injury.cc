@@ -72,6 +72,19 @@ TEST(ChestInjury, LeavesTheLoadToTheGaugeOfTheBlast)
 }
 
 
+TEST(ChestInjury, HasNoInwardVelocityOfRoundOff)
+{
+  dealii::ParameterHandler prm;
+  ChestInjury::declare_parameters(prm);
+  prm.set("Chest load", "false");
+  ChestInjury chest;
+  chest.parse_parameters(prm);
+  chest.record(0., 0., 2.8e-19);
+  chest.record(1e-3, 1e3, -0.4);
+  EXPECT_EQ(values(chest).at("injury_chest_wall_velocity_mesh"), 0.);
+}
+
+
 TEST(ChestInjury, GoesOnFromWhatItFollowed)
 {
   dealii::ParameterHandler prm;

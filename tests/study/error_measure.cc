@@ -52,6 +52,7 @@ TEST(ErrorMeasure, ComparesWithAKnownValue)
   EXPECT_DOUBLE_EQ(measure(relative).value(".", summary), 0.2);
   EXPECT_EQ(measure(known).value(".", summary), 6.);
   EXPECT_EQ(measure(known).short_name(), "conservation_mass_last");
+  EXPECT_EQ(measure(known).title(), "relative error of conservation.mass_last");
 }
 
 TEST(ErrorMeasure, ComparesTablesAndPlanesOfRuns)

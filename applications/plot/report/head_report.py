@@ -156,9 +156,27 @@ def answer(run, judged):
         "div", page.paragraph(" ".join(text)), page.paragraph(
             f"The run ends after {page.milliseconds(end)}. Largest and least "
             f"values are those of single {_carriers(run)}{_smoothing(run)}, of "
-            "the rows of history.csv; the error that the mesh makes has not "
-            "been estimated."),
+            f"the rows of history.csv{_rows_left_out(run)}; the error that the "
+            "mesh makes has not been estimated."),
         kind="answer")
+
+
+def _rows_left_out(run):
+    """That history.csv lacks steps, which probes.csv has, in words."""
+    every = (run.parameter("Output/History every steps") or [1.])[0]
+    if every < 2.:
+        return ""
+    words = f" (one of {every:g} steps; between them values may be larger"
+    if run.probes is not None:
+        highest = max((float(run.probes[name].max()) for name in
+                       run.probes.others("time")
+                       if name.startswith("pressure_")), default=0.)
+        told = [extreme(run, "largest_pressure", layer, np.argmax)[0]
+                for layer in ("csf", "brain") if run.region(layer)]
+        if told and highest > max(told):
+            words += (f": probes, of every step, reach "
+                      f"{page.quantity(highest, 'Pa')}")
+    return words + ")"
 
 
 def _impact_speed(run):
@@ -348,8 +366,7 @@ def histories(run, folder):
     parts.append(figure(
         folder, "head_probes", head_figures.draw_probes(run, names),
         f"Curves of pressure over time in {len(points)} {_carriers(run)}.",
-        f"Pressure in the {_carriers(run)} that were nearest to these places at the "
-        "start, from probes.csv."))
+        f"Pressure in the {_carriers(run)} that were nearest to these places at the start, in every step, from probes.csv."))
     rows = []
     for number, name in enumerate(names):
         column = run.probes[f"pressure_{number + 1}"]

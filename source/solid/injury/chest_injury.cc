@@ -79,9 +79,13 @@ std::vector<InjuryMeasure> ChestInjury::measures() const
 {
   if (times_.size() < 2)
     return {};
-  std::vector<InjuryMeasure> list{known_measure(
-    "injury_chest_wall_velocity_mesh",
-    *std::max_element(wall_velocities_.begin(), wall_velocities_.end()))};
+  const auto [outward, inward] =
+    std::minmax_element(wall_velocities_.begin(), wall_velocities_.end());
+  // A wave from behind moves the wall outward alone, after round-off at rest.
+  constexpr double round_off = 1e-9;
+  std::vector<InjuryMeasure> list{
+    known_measure("injury_chest_wall_velocity_mesh",
+                  *inward > -round_off * *outward ? *inward : 0.)};
   if (reports_load_)
     add_load(list);
   return list;
