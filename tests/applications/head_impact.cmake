@@ -438,6 +438,13 @@ contrecoup_add_application_test(head_soft_brain bounds
   BOUNDS ${_ledger} "results.peak_contact_force > 4e2"
   "history.largest_shear_strain_brain < 0.05")
 
+# Probes are in the cells that hold their places, though the centre of a thin cell of
+# the next layer is nearer.
+contrecoup_add_application_test(head_probes bounds
+  FILE head_impact/quickstart.prm SET ${_coarse} "Time/End time=2e-5"
+  "Injury/Every steps=1" "Region CSF/Density=900"
+  BOUNDS "probes.density_1 < 950" "probes.density_3 > 990"
+  "probes.density_4 > 990")
 # A fluid that slides along its neighbours.
 contrecoup_add_application_test(head_slip bounds,resume,ranks
   FILE head_impact/quickstart.prm SET ${_coarse} "Rezone/Tolerance=1e-12"

@@ -366,7 +366,9 @@ def histories(run, folder):
     parts.append(figure(
         folder, "head_probes", head_figures.draw_probes(run, names),
         f"Curves of pressure over time in {len(points)} {_carriers(run)}.",
-        f"Pressure in the {_carriers(run)} that were nearest to these places at the start, in every step, from probes.csv."))
+        f"Pressure in the {_carriers(run)} that were "
+        + ("nearest to" if run.has_particles() else "at")
+        + " these places at the start, in every step, from probes.csv."))
     rows = []
     for number, name in enumerate(names):
         column = run.probes[f"pressure_{number + 1}"]

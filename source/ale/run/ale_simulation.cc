@@ -15,8 +15,58 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <map>
+
 namespace contrecoup::ale
 {
+namespace
+{
+  /// Distance of a place from the centre of the cell that it is in [m]; of
+  /// other cells more than any distance, the more the farther outside it is, in
+  /// lengths of the cell.
+  double remoteness(const HexSpace::Cell &cell,
+                    const dealii::AlignedVector<double> &position,
+                    const dealii::Point<3> &place)
+  {
+    constexpr double beyond = 1e6, near = 3., round_off = 1e-6;
+    constexpr unsigned int n_steps = 5;
+    double outside = 0., distance = 0.;
+    dealii::Tensor<1, 3> local; // from -1 to 1 in the cell
+    // Newton's method, from the centre on; cells far away need no more than
+    // that.
+    for (unsigned int step = 0; step <= n_steps && outside < near; ++step)
+    {
+      dealii::Point<3> there;
+      dealii::Tensor<2, 3> jacobian;
+      for (unsigned int k = 0; k < 8; ++k)
+      {
+        const double sign[] = {k % 4 == 1 || k % 4 == 2 ? 1. : -1.,
+                               k % 4 > 1 ? 1. : -1.,
+                               k > 3 ? 1. : -1.};
+        double shape[3];
+        for (unsigned int e = 0; e < 3; ++e)
+          shape[e] = 0.5 * (1. + sign[e] * local[e]);
+        for (unsigned int d = 0; d < 3; ++d)
+        {
+          const double x = position[node_width * cell[k] + d];
+          there[d] += shape[0] * shape[1] * shape[2] * x;
+          for (unsigned int e = 0; e < 3; ++e)
+            jacobian[d][e] +=
+              0.5 * sign[e] * shape[(e + 1) % 3] * shape[(e + 2) % 3] * x;
+        }
+      }
+      if (step == 0)
+        distance = there.distance(place);
+      local += dealii::invert(jacobian) * (place - there);
+      outside = 0.;
+      for (unsigned int e = 0; e < 3; ++e)
+        outside = std::max(outside, std::abs(local[e]));
+    }
+    return outside <= 1. + round_off ? distance : beyond * outside;
+  }
+} // namespace
+
+
 void AleSimulation::declare_parameters(ParameterHandler &prm)
 {
   MeshDescription::declare_parameters(prm);
@@ -76,7 +126,7 @@ void AleSimulation::declare_parameters(ParameterHandler &prm)
     "Points",
     "",
     "m",
-    selecting("Probe positions; the initially nearest cell is recorded."));
+    selecting("Probe positions; the cell there at the start is recorded."));
 }
 
 
@@ -174,17 +224,15 @@ void AleSimulation::setup()
 void AleSimulation::find_probe_cells()
 {
   probe_cells_.assign(probe_places_.size(), HexSpace::no_cell);
+  std::map<unsigned int, std::size_t> probe_in;
   for (std::size_t i = 0; i < probe_places_.size(); ++i)
   {
     double nearest = std::numeric_limits<double>::max();
     std::uint32_t cell = HexSpace::no_cell;
     for (std::uint32_t c = 0; c < space_.n_locally_owned_cells(); ++c)
     {
-      dealii::Point<3> centre;
-      for (const std::uint32_t node : space_.cell(c))
-        for (unsigned int d = 0; d < 3; ++d)
-          centre[d] += 0.125 * state_.position[node_width * node + d];
-      const double distance = centre.distance(probe_places_[i]);
+      const double distance =
+        remoteness(space_.cell(c), state_.position, probe_places_[i]);
       if (distance < nearest * (1. - 1e-12))
       {
         nearest = distance;
@@ -196,8 +244,13 @@ void AleSimulation::find_probe_cells()
     const bool is_here = nearest <= all * (1. + 1e-12);
     const unsigned int number =
       is_here ? space_.cell_number(cell) : HexSpace::no_cell;
-    if (dealii::Utilities::MPI::min(number, communicator_) == number && is_here)
+    const auto chosen = dealii::Utilities::MPI::min(number, communicator_);
+    if (chosen == number && is_here)
       probe_cells_[i] = cell;
+    if (const auto other = probe_in.emplace(chosen, i); !other.second)
+      log_line("WARNING: Probes/Points: probes " +
+               std::to_string(other.first->second + 1) + " and " +
+               std::to_string(i + 1) + " are in one cell and have one record");
   }
 }
 
