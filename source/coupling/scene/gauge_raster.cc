@@ -88,17 +88,19 @@ find_gauges(const std::map<std::string, std::string> &values)
   std::vector<GaugeRaster> gauges;
   for (const std::string &part : split(values.at("Probes/Points"), ';'))
     if (const auto point = point_of(part))
-      gauges.push_back({*point, *point});
+      gauges.push_back({*point, *point, "Probes/Points"});
   for (const bool is_line : {true, false})
-    for (const std::string &item : split(
-           values.at(is_line ? "Probes/Lines" : "Probes/Gauge planes"), ';'))
+  {
+    const std::string entry = is_line ? "Probes/Lines" : "Probes/Gauge planes";
+    for (const std::string &item : split(values.at(entry), ';'))
     {
       const std::vector<std::string> parts = split(item, ':');
       const auto begin = point_of(parts.front());
       const auto end = parts.size() == 3 ? point_of(parts[1]) : std::nullopt;
       if (begin && end && begin->distance(*end) > 0.)
-        gauges.push_back({*begin, *end, is_line});
+        gauges.push_back({*begin, *end, entry, is_line});
     }
+  }
   return gauges;
 }
 } // namespace contrecoup::coupling

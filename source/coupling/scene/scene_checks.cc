@@ -98,26 +98,42 @@ namespace
   }
 
 
+  void require_in_domain(const PlannedScene &scene,
+                         const Point<3> &probe,
+                         const std::string &where,
+                         const dealii::BoundingBox<3> &domain)
+  {
+    Point<3> image = probe;
+    image[1] *= -1.;
+    if (domain.point_inside(probe, round_off))
+      return;
+    throw InputError(
+      where + "is outside of the domain, from " +
+      coordinates(domain.get_boundary_points().first) + " to " +
+      coordinates(domain.get_boundary_points().second) + " m" +
+      (scene.layout().is_half && domain.point_inside(image, round_off)
+         ? "; by symmetry " + coordinates(image) +
+             " m has the same values, and Scene/Symmetry = none computes "
+             "both halves"
+         : ""));
+  }
+
+
   void check_probes(const PlannedScene &scene,
                     const TaskText &blast,
                     const dealii::BoundingBox<3> &domain)
   {
-    for (const Point<3> &probe : points_of(blast.values.at("Probes/Points")))
+    const auto words = [](const GaugeRaster &gauge, const Point<3> &place) {
+      return "Blast/" + gauge.entry + ": " + coordinates(place) + " m ";
+    };
+    for (const GaugeRaster &gauge : find_gauges(blast.values))
     {
-      const std::string where =
-        "Blast/Probes/Points: " + coordinates(probe) + " m ";
-      Point<3> image = probe;
-      image[1] *= -1.;
-      if (!domain.point_inside(probe, round_off))
-        throw InputError(
-          where + "is outside of the domain, from " +
-          coordinates(domain.get_boundary_points().first) + " to " +
-          coordinates(domain.get_boundary_points().second) + " m" +
-          (scene.layout().is_half && domain.point_inside(image, round_off)
-             ? "; by symmetry " + coordinates(image) +
-                 " m has the same values, and Scene/Symmetry = none computes "
-                 "both halves"
-             : ""));
+      for (const Point<3> &place : {gauge.begin, gauge.end})
+        require_in_domain(scene, place, words(gauge, place), domain);
+      if (gauge.entry != "Probes/Points")
+        continue;
+      const Point<3> probe = gauge.begin;
+      const std::string where = words(gauge, probe);
       if (scene.body().surface()->value(probe) < 0.)
         throw InputError(where + "is in the body; Blast/Loads/Gauges are on "
                                  "its skin, Biomechanics/Probes/Points in it");
