@@ -231,8 +231,8 @@ namespace
   }
 
 
-  /// Distance between centres of balls of fine cells [m].
-  constexpr double spacing = 0.6;
+  /// Distance between centres of balls of fine cells, and their radius [m].
+  constexpr double spacing = 0.6, fine_radius = 0.7;
 
   /// Centres of the balls in which fronts are as fine as at the body: around
   /// body and gauges, unless these need so many that each leaf would take long.
@@ -240,7 +240,12 @@ namespace
                                     const SceneLayout &layout)
   {
     constexpr std::size_t most = 400;
-    const std::vector<Point<3>> at_body = balls_near(layout, spacing);
+    std::vector<Point<3>> at_body = balls_near(layout, spacing);
+    const auto is_outside = [&](const Point<3> &center) {
+      return center.distance(*layout.probe) > fine_radius;
+    };
+    if (layout.probe && std::all_of(at_body.begin(), at_body.end(), is_outside))
+      at_body.push_back(*layout.probe);
     std::vector<Point<3>> places = at_body;
     for (const GaugeRaster &gauge : scene.gauges)
     {
@@ -321,7 +326,7 @@ namespace
               below(1),
               "outside of ball",
               fine_places(scene, layout),
-              0.7,
+              fine_radius,
               entries);
     set_limit("fireball",
               below(1),
@@ -329,13 +334,15 @@ namespace
               {layout.charge},
               layout.fireball_radius(scene),
               entries);
-    set_limit(
-      "far away",
-      below(2),
-      "outside of ball",
-      {middle},
-      radius_with_gauges(scene, middle, 0.5 * layout.distance + spacing),
-      entries);
+    double near = 0.5 * layout.distance + spacing;
+    if (layout.probe && layout.probe->distance(middle) > near)
+      near = layout.probe->distance(middle) + spacing;
+    set_limit("far away",
+              below(2),
+              "outside of ball",
+              {middle},
+              radius_with_gauges(scene, middle, near),
+              entries);
     set_later_adaptation(scene, layout, entries);
   }
 
