@@ -277,7 +277,8 @@ std::string gauge_cells_warning(const PlannedScene &scene,
     std::stoul(blast.values.at("Adaptation/Largest level")));
   double fewest = parameters.accuracy.cells_per_phase;
   std::string words;
-  for (const GaugeRaster &gauge : find_gauges(blast.values))
+  // What the scene's own probe lacks is told beside the tables.
+  for (const GaugeRaster &gauge : parameters.gauges)
     for (const Point<3> &place : gauge.places(spacing))
     {
       const double distance = place.distance(layout.charge);

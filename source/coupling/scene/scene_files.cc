@@ -240,12 +240,7 @@ namespace
                                     const SceneLayout &layout)
   {
     constexpr std::size_t most = 400;
-    std::vector<Point<3>> at_body = balls_near(layout, spacing);
-    const auto is_outside = [&](const Point<3> &center) {
-      return center.distance(*layout.probe) > fine_radius;
-    };
-    if (layout.probe && std::all_of(at_body.begin(), at_body.end(), is_outside))
-      at_body.push_back(*layout.probe);
+    const std::vector<Point<3>> at_body = balls_near(layout, spacing);
     std::vector<Point<3>> places = at_body;
     for (const GaugeRaster &gauge : scene.gauges)
     {
