@@ -162,7 +162,8 @@ void Study::check() const
   require_possible_outputs(forecasts);
   require_accepted(forecasts);
   StudyResult sizes;
-  for (std::size_t i = 0; i < forecasts.size(); ++i)
+  // The reference is none of the variants.
+  for (std::size_t i = has_reference_ ? 1 : 0; i < forecasts.size(); ++i)
     if (const double cells = forecasts[i].report.cost.cells; cells > 0.)
     {
       sizes.rows.emplace_back();
