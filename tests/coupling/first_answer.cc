@@ -141,4 +141,8 @@ TEST(FirstAnswer, SaysWhereTheTablesEnd)
     << lines[0];
   EXPECT_NE(lines[1].find("of a point source: peak"), std::string::npos)
     << lines[1];
+  // Nearer than 0.147 m/kg^(1/3) they have no impulse.
+  const auto near = answer_for(6e3);
+  ASSERT_EQ(near.size(), 2U);
+  EXPECT_NE(near[1].find("of the tables: peak"), std::string::npos) << near[1];
 }

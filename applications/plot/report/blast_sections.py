@@ -92,9 +92,9 @@ def people(scene):
             + ("Limits by the numerics are from the coarser run, as those of "
                "other figures" if coarse else "The numerical error of these "
                "areas is unknown")
-            + "; far from the body cells are larger than at its skin. Grey: the "
-            "blast has not arrived, the figure is not known, as within the "
-            "charge, or, of lungs, the blast is not over, not simple, or beside "
+            + ". Grey: the blast has not arrived, the figure is not known, as "
+            "within the charge, or, of lungs, the blast is not over, not "
+            "simple, or beside "
             "the products of the explosive, where the duration is open; among "
             "these no curve was measured. Lungs"
             f"{_mass_of_people(scene)} by side-on plus dynamic "

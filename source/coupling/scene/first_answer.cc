@@ -155,8 +155,11 @@ std::vector<std::string> first_answer(const SceneParameters &scene,
               what + where + ", but " +
               (nearest > layout.distance ? "no less" : "no more") + " than " +
               brief(nearest, 3) + " m",
-            "  incident wave of a point source: peak " +
-              kilopascal(layout.overpressure) + ", arrival " +
+            std::string("  incident wave of ") +
+              (wave.is_tabulated(BlastQuantity::overpressure, layout.distance)
+                 ? "the tables"
+                 : "a point source") +
+              ": peak " + kilopascal(layout.overpressure) + ", arrival " +
               brief(1e3 * layout.arrival, 3) + " ms"};
   }
   const std::string equivalence = equivalence_in_words(scene.explosive);
