@@ -447,7 +447,7 @@ def _rises(scene):
 def _draw_timeline(found):
     last = max(event.last() for event in found)
     rows = [event for event in found if event.lane != "air"]
-    figure, axis = plt.subplots(figsize=(9., 0.25 * len(rows) + 1.3))
+    figure, axis = plt.subplots(figsize=(9., 0.185 * len(rows) + 1.2))
     for row, event in enumerate(rows):
         if event.lane == "skin":
             axis.barh(row, 1e3 * (event.end - event.begin),
