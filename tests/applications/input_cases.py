@@ -274,7 +274,7 @@ def refused_scenes():
             ("Blast/Probes/Points", "0.5, -0.3, 1.2",
              "by symmetry 0.5, 0.3, 1.2 m has the same values"),
             ("Blast/Probes/Lines", "0.5, -0.3, 1.2 : 0.5, 0.3, 1.2 : 3",
-             "is a plane of symmetry, 0.5, 0.3, 1.2 m has the same values"),
+             "by symmetry 0.5, 0.3, 1.2 m has the same values"),
             ("Blast/Probes/Points", "0, 0.01, 1.2", "is in the body"),
             ("Blast/Loads/Gauges", "nose: 1, 0, 1.6",
              '"nose" at 1, 0, 1.6 m is'),

@@ -917,8 +917,8 @@ def check_cost(page, files):
             _require_duration(row[header], told[key], f"{header} of {name}")
         require_same(row["memory"], told["peak_memory"], f"memory of {name}")
         require_same(row["disk"], told["disk"], f"disk of {name}")
-        summary = files.summary.get(name) or read_json(
-            files.output, name, "summary.json")
+        path = os.path.join(files.output, name, "summary.json")
+        summary = read_json(path) if os.path.exists(path) else {}
         most = summary.get("performance", {}).get("largest_cells")
         for count, word, at_most in re.findall(
                 r"([\d\u202f]+) (\w+)( at most)?", row["size"]):
