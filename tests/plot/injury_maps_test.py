@@ -64,7 +64,7 @@ class InjuryMapsTest(unittest.TestCase):
 
         def told():
             return "".join(map(str, people(Scene(self.folder))))
-        self.assertIn("error of these areas is unknown;", told())
+        self.assertIn("error of these areas is unknown.", told())
         coarser = fields()
         coarser["eardrum_rupture"][0][:, 2] = 0.
         coarser["lung_lethality"][0][:] = 0.

@@ -94,8 +94,8 @@ def people(scene):
                "areas is unknown")
             + ". Grey: the blast has not arrived, the figure is not known, as "
             "within the charge, or, of lungs, the blast is not over, not "
-            "simple, or beside "
-            "the products of the explosive, where the duration is open; among "
+            "simple, or beside the products of the explosive, where the "
+            "duration is open; among "
             "these no curve was measured. Lungs"
             f"{_mass_of_people(scene)} by side-on plus dynamic "
             f"pressure and positive phase ({KNOWN['lung_lethality'].source}), "
