@@ -58,13 +58,23 @@ TEST(ChestInjury, OfFriedlandersWaveIsKnownWheneverItArrives)
 }
 
 
-TEST(ChestInjury, LeavesTheLoadToTheGaugeOfTheBlast)
+namespace
+{
+ChestInjury without_load()
 {
   dealii::ParameterHandler prm;
   ChestInjury::declare_parameters(prm);
   prm.set("Chest load", "false");
   ChestInjury chest;
   chest.parse_parameters(prm);
+  return chest;
+}
+} // namespace
+
+
+TEST(ChestInjury, LeavesTheLoadToTheGaugeOfTheBlast)
+{
+  ChestInjury chest = without_load();
   follow_blast(chest, 0.);
   const auto found = values(chest);
   EXPECT_EQ(found.size(), 1);
@@ -74,11 +84,7 @@ TEST(ChestInjury, LeavesTheLoadToTheGaugeOfTheBlast)
 
 TEST(ChestInjury, HasNoInwardVelocityOfRoundOff)
 {
-  dealii::ParameterHandler prm;
-  ChestInjury::declare_parameters(prm);
-  prm.set("Chest load", "false");
-  ChestInjury chest;
-  chest.parse_parameters(prm);
+  ChestInjury chest = without_load();
   chest.record(0., 0., 2.8e-19);
   chest.record(1e-3, 1e3, -0.4);
   EXPECT_EQ(values(chest).at("injury_chest_wall_velocity_mesh"), 0.);

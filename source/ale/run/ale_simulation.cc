@@ -15,6 +15,7 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <cmath>
 #include <map>
 
 namespace contrecoup::ale
@@ -62,6 +63,9 @@ namespace
       for (unsigned int e = 0; e < 3; ++e)
         outside = std::max(outside, std::abs(local[e]));
     }
+    // A flat cell has no local coordinates.
+    if (!std::isfinite(local.norm()))
+      return beyond * distance;
     return outside <= 1. + round_off ? distance : beyond * outside;
   }
 } // namespace

@@ -29,8 +29,8 @@ namespace io
     /// time, and number of budgets.
     constexpr double long_run_part = 0.01, most_budgets = 5.;
     /// Largest factor between the steps of a trial and what those before it
-    /// foretell for which the forecast is believed.
-    constexpr double most_surprise = 1.4;
+    /// predict for which the forecast is believed.
+    constexpr double largest_misprediction = 1.4;
     /// Largest growth of cells with levels for which layers are refined, over
     /// the dimension; it is 1 where everything is, and 3/4 in the end.
     constexpr double most_growth = 0.85;
@@ -237,7 +237,7 @@ namespace io
       return steps;
     }
 
-    /// Whether trials before the last one foretell its steps; one level that is
+    /// Whether trials before the last one predict its steps; one level that is
     /// left is believed without.
     bool knows_steps(const std::vector<Trial> &trials,
                      const bool adapts,
@@ -249,10 +249,10 @@ namespace io
       std::vector<Trial> earlier(trials.begin(), trials.end() - 1);
       for (Trial &trial : earlier)
         trial.levels -= last.levels;
-      const double foretold =
+      const double predicted =
         extrapolate(earlier, last.known_cells, adapts, prm).steps;
-      return std::abs(std::log(foretold / all_steps(last))) <
-             std::log(most_surprise);
+      return std::abs(std::log(predicted / all_steps(last))) <
+             std::log(largest_misprediction);
     }
 
     /// Whether the last trials refine layers, not everything still.
@@ -267,7 +267,7 @@ namespace io
       return rate < most_growth * last.stages.back().dimension;
     }
 
-    /// Leaves out of @p cost what the trials say is not foretold by them.
+    /// Leaves out of @p cost what the trials do not predict.
     void leave_out_unknown(CostEstimate &cost,
                            const std::vector<Trial> &trials,
                            const bool adapts,

@@ -35,7 +35,7 @@ namespace io
    *
    * Unknown (zero) are cells, memory and output where the last two trials
    * refine nearly everything, the steps where the trials before the last one do
-   * not foretell its steps within a factor of 1.4 or are too few for that, and
+   * not predict its steps within a factor of 1.4 or are too few for that, and
    * the time if neither is known.
    *
    * If the environment variable CONTRECOUP_CHECK_LEVELS names the levels of a
