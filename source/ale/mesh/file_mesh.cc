@@ -175,7 +175,7 @@ unsigned int FileMesh::refuse_joints(const Mesh &mesh) const
     mesh.n_raw_lines(),
     [](const auto &cell) {
       std::array<unsigned int, 12> lines;
-      for (unsigned int l = 0; l < 12; ++l)
+      for (const unsigned int l : cell->line_indices())
         lines[l] = cell->line_index(l);
       return lines;
     },

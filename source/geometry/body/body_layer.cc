@@ -62,7 +62,7 @@ namespace
   {
     const Section section(prm, "Shape");
     std::vector<double> thickness = read_list(prm, "Layers");
-    const std::vector<double> &usual = usual_layers(prm.get("Shape"));
+    const std::vector<double> usual = usual_layers(prm.get("Shape"));
     if (thickness.empty())
       thickness = usual;
     std::vector<BodyLayer> layers;

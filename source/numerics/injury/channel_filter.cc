@@ -59,8 +59,8 @@ std::vector<double> channel_class_filter(const std::vector<double> &values,
     throw InputError("filter: an interval of " + brief(interval) +
                      " s is too long for channel frequency class " +
                      brief(channel_class));
-  if (values.size() < 2)
-    return values;
+  if (values.empty())
+    return {};
   const std::size_t n = values.size();
   const std::size_t padding = std::min(
     n - 1,
