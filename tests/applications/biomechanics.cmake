@@ -232,6 +232,10 @@ contrecoup_add_application_test(held_body bounds FILE ${_folder}/plane_wave.prm
   SET "Output/Fields=false" "Supports/Support all/Where=1"
   BOUNDS "status == finished" "checks.loaded_facets > 0"
   MESSAGE "or supports hold all that they reach")
+contrecoup_add_application_test(held_brain bounds FILE biomechanics/quickstart.prm
+  SET "Output/Fields=false" "Supports/Support head/Where=z > 1.4"
+    "Time/End time=1e-5"
+  BOUNDS "status == finished" "checks.brain_is_held > 0.5")
 contrecoup_add_application_test(energy_gate bounds
   FILE ${_folder}/plane_wave.prm
   SET "Output/Fields=false" "Energy audit/Largest residual=0"
@@ -258,6 +262,7 @@ contrecoup_add_application_test(tnt bounds FILE biomechanics/quickstart.prm
 contrecoup_add_application_test(injury bounds FILE biomechanics/quickstart.prm
   SET "Output/Fields=false" "Time/End time=2e-3"
   BOUNDS "status == finished" "checks.energy_residual < 1.37e-7"
+  "checks.brain_is_held < 0.5"
   "results.injury_strain_95 > 6.40e-4"
   "results.injury_strain_95 < 7.07e-4"
   "results.injury_intracranial_pressure_peak > 1.015e5"

@@ -848,7 +848,8 @@ class ReportTest(unittest.TestCase):
             known = injury_thresholds.KNOWN[
                 "ear_rupture" if place.startswith("ear") else place]
             scene = types.SimpleNamespace(
-                loads=lambda: None, fact=lambda name: None, warnings=dict,
+                loads=lambda: None, fact=lambda name: None,
+                biomechanics=types.SimpleNamespace(found=lambda *_: None),
                 table_answer=lambda name: (0.5, 0.9)
                 if name == "eardrum_rupture" else (None, None))
             found = verdict.verdicts(scene, [injury_table.Judged(
@@ -1243,13 +1244,11 @@ class ReportTest(unittest.TestCase):
         self.assertIsNone(verdict._lungs([]))
 
     def test_brains_that_are_held_have_no_verdict(self):
-        for what, is_held in (("the body", True), ("brain and lung", True),
-                              ("lung", False)):
-            text = (f"Supports/Support all selects all nodes of {what} in x, y "
-                    "and z: no load moves or strains what is held so")
-            found = verdict._held(types.SimpleNamespace(
-                warnings=lambda: {"other": [], text: ["biomechanics"]}))
-            self.assertEqual(found is not None, is_held, what)
+        for value in (1., 0., None):
+            stage = types.SimpleNamespace(found=lambda group, name: {
+                ("checks", "brain_is_held"): value}[group, name])
+            found = verdict._held(types.SimpleNamespace(biomechanics=stage))
+            self.assertEqual(found is not None, value == 1., value)
 
     def test_lungs_by_the_tables(self):
         """Where one of run and tables alone has a load above the threshold, that

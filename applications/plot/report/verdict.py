@@ -3,8 +3,6 @@
 """The verdict of a report in plain words: whether the person survives, and what
 becomes of eardrums, lungs and brain, with the bounds of the numerics."""
 
-import re
-
 from plot.report import error_estimate, injury_table, page
 
 # Words up to a probability, for the event itself.
@@ -232,10 +230,10 @@ def _by_tables(scene, judged, lungs):
 
 def _held(scene):
     """The verdict on a brain whose nodes are all held."""
-    return next((Verdict("brain", "brain: not judged, since it is held by "
-                         "Biomechanics/Supports", "none")
-                 for text in scene.warnings() if re.search(
-                     r"all nodes of (the body|.*\bbrain\b)", text)), None)
+    if not scene.biomechanics.found("checks", "brain_is_held"):
+        return None
+    return Verdict("brain", "brain: not judged, since it is held by "
+                   "Biomechanics/Supports", "none")
 
 
 def _brain(judged):

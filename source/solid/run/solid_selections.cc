@@ -82,27 +82,38 @@ void require_selections(const SolidMesh &mesh,
 }
 
 
-void warn_of_supports(const SolidMesh &mesh,
-                      const SolidSelectors &selectors,
-                      const MPI_Comm communicator)
+std::vector<Tissue> find_held_tissues(const SolidMesh &mesh,
+                                      const Supports &supports,
+                                      const MPI_Comm communicator)
 {
-  const auto entries = selectors.supports.selecting_entries();
-  if (entries.empty())
-    return;
-  const auto held = selectors.supports.find_held_nodes(mesh);
+  if (supports.selecting_entries().empty())
+    return {};
+  const auto held = supports.find_held_nodes(mesh);
   std::vector<std::uint64_t> n_free(mesh.tissues.size(), 0);
   for (std::size_t i = 0; i < mesh.elements.size(); ++i)
     for (const std::uint32_t node : mesh.elements[i])
       n_free[mesh.tissue[i]] += held[node] == 0 ? 1 : 0;
   dealii::Utilities::MPI::sum(n_free, communicator, n_free);
-  std::vector<std::string> names;
+  std::vector<Tissue> tissues;
   for (std::size_t i = 0; i < n_free.size(); ++i)
-    if (n_free[i] == 0 && selectors.reports_injury &&
-        (mesh.tissues[i] == Tissue::brain || mesh.tissues[i] == Tissue::lung))
-      names.push_back(name_of(mesh.tissues[i]));
-  if (std::all_of(n_free.begin(), n_free.end(), [](const std::uint64_t count) {
-        return count == 0;
-      }))
+    if (n_free[i] == 0)
+      tissues.push_back(mesh.tissues[i]);
+  return tissues;
+}
+
+
+void warn_of_supports(const SolidMesh &mesh,
+                      const SolidSelectors &selectors,
+                      const MPI_Comm communicator)
+{
+  const auto entries = selectors.supports.selecting_entries();
+  const auto held = find_held_tissues(mesh, selectors.supports, communicator);
+  std::vector<std::string> names;
+  for (const Tissue tissue : held)
+    if (selectors.reports_injury &&
+        (tissue == Tissue::brain || tissue == Tissue::lung))
+      names.push_back(name_of(tissue));
+  if (!held.empty() && held.size() == mesh.tissues.size())
     names = {"the body"};
   if (!names.empty())
     log_line("WARNING: " + join(entries, ", ") +

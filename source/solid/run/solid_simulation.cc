@@ -343,7 +343,8 @@ template <typename Real>
 std::vector<NamedValue> SolidSimulation<Real>::checks()
 {
   const EnergyLedger ledger = check_energy();
-  std::vector<NamedValue> values = audit_.checks(ledger, body_.mesh().tissues);
+  const std::vector<Tissue> &tissues = body_.mesh().tissues;
+  std::vector<NamedValue> values = audit_.checks(ledger, tissues);
   const std::initializer_list<NamedValue> others{
     {"quiet_elements", "-", body_.skipped_fraction()},
     {"stable_step", "s", stable_step_},
@@ -354,6 +355,16 @@ std::vector<NamedValue> SolidSimulation<Real>::checks()
      "-",
      double(body_.loads().n_loaded_facets(communicator_))}};
   values.insert(values.end(), others);
+  const auto has_brain = [](const std::vector<Tissue> &list) {
+    return std::find(list.begin(), list.end(), Tissue::brain) != list.end();
+  };
+  if (has_brain(tissues))
+    values.push_back(
+      {"brain_is_held",
+       "-",
+       has_brain(find_held_tissues(body_.mesh(), supports_, communicator_))
+         ? 1.
+         : 0.});
   for (const NamedValue &value : body_.mass_scaling().report())
     values.push_back(value);
   for (const NamedValue &value :

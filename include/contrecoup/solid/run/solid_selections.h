@@ -30,6 +30,12 @@ void require_selections(const SolidMesh &mesh,
                         const SolidSelectors &selectors,
                         MPI_Comm communicator);
 
+/// Tissues of the mesh all of whose nodes supports move in x, y and z.
+/// Collective.
+std::vector<Tissue> find_held_tissues(const SolidMesh &mesh,
+                                      const Supports &supports,
+                                      MPI_Comm communicator);
+
 /// Warns of supports that prescribe the motion of all nodes of the body, or of
 /// a tissue whose injury is reported: no load reaches what they select.
 /// Collective.
