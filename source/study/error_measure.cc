@@ -326,11 +326,17 @@ double ErrorMeasure::difference(const std::string &folder) const
   return relative_difference(curve(folder), curve(reference_folder_));
 }
 
-std::string ErrorMeasure::title() const
+std::string ErrorMeasure::title(const std::vector<Column> &columns) const
 {
   std::string name = name_;
-  // An output is called by its address, as the entry has it.
-  if (kind_ == "exact" || quantity_ != "summary")
+  const auto column =
+    std::find_if(columns.begin(), columns.end(), [&](const Column &one) {
+      return one.address == address();
+    });
+  // Without a column, an output is called by its address.
+  if (column != columns.end())
+    name = column->title;
+  else if (kind_ == "exact" || quantity_ != "summary")
     std::replace(name.begin(), name.end(), '_', ' ');
   if (kind_ == "exact")
     return "error of " + name;

@@ -94,7 +94,7 @@ namespace
     out << " outcome | unknowns | steps | " << cost_title(parameters.cost)
         << " |";
     if (has_errors)
-      out << ' ' << parameters.error.title() << " | order | best |";
+      out << ' ' << parameters.error.title(result.columns) << " | order | best |";
     out << '\n'
         << rule << "---|---:|---:|---:|"
         << (has_errors ? "---:|---:|:---:|" : "") << '\n';
@@ -328,7 +328,7 @@ std::string to_json(const StudyParameters &parameters,
     {"mode", parameters.mode},
     {"cost", parameters.cost},
     {"error",
-     parameters.error.is_active() ? io::Json(parameters.error.title())
+     parameters.error.is_active() ? io::Json(parameters.error.title(result.columns))
                                   : io::Json(nullptr)},
     {"wanted", parameters.error.required_error()},
     {"factors", factors},

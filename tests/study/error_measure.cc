@@ -52,7 +52,11 @@ TEST(ErrorMeasure, ComparesWithAKnownValue)
   EXPECT_DOUBLE_EQ(measure(relative).value(".", summary), 0.2);
   EXPECT_EQ(measure(known).value(".", summary), 6.);
   EXPECT_EQ(measure(known).short_name(), "conservation_mass_last");
-  EXPECT_EQ(measure(known).title(), "relative error of conservation.mass_last");
+  const std::string title = "relative error of ";
+  EXPECT_EQ(measure(known).title({{"results.mass", "mass", "kg"}}),
+            title + "conservation.mass_last");
+  EXPECT_EQ(measure(known).title({{"conservation.mass_last", "mass", "kg"}}),
+            title + "mass");
 }
 
 TEST(ErrorMeasure, ComparesTablesAndPlanesOfRuns)

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <contrecoup/study/column.h>
 #include <contrecoup/study/curve.h>
 #include <contrecoup/study/factor.h>
 
@@ -58,8 +59,9 @@ public:
    */
   double value(const std::string &folder, const nlohmann::json &summary) const;
 
-  /// Name of the error for tables and axes.
-  std::string title() const;
+  /// Name of the error for tables and axes, with the title of the output if it
+  /// is one of @p columns.
+  std::string title(const std::vector<Column> &columns) const;
 
   /// Short name of the error in summary.json, such as "density_L1".
   std::string short_name() const;
