@@ -115,8 +115,8 @@ def check_headline(page, files):
          files.injury["injury_strain_95"])]
     if "injury_hic15" in files.injury:
         wanted.append((rf"HIC15 is ({number})", files.injury["injury_hic15"]))
-    for layer, words in (("CSF", "The CSF's pressure"),
-                         ("brain", "The brain's")):
+    for layer, words in (("CSF", "The CSF's pressure in single cells"),
+                         ("brain", "The brain's in single cells")):
         wanted += [
             (rf"{words} reaches from ({number} \w+)",
              min(history[f"least_pressure_{layer}"])),
@@ -204,6 +204,11 @@ def check_energy(page, files):
              "thereof friction": "friction_work", "missing": "energy_residual"}
     rows = page.table("Energy").records()
     require(len(rows) == 7, "energies are missing")
+    work = history["external_work"][-1]
+    parts = sum(history[names[row["energy of the whole head"]]][-1]
+                for row in rows
+                if row["energy of the whole head"].startswith("thereof"))
+    require(abs(parts - work) < 1e-9 * abs(work), f"{parts} J of {work} J")
     for row in rows:
         name = row["energy of the whole head"]
         column = history[names[name]] if name in names else [

@@ -280,9 +280,33 @@ class ParticlesTest(unittest.TestCase):
                       *rows):
             self.assertIn(words, text)
 
+    def test_parts_of_the_work_are_its_sum(self):
+        along = "thereof planes, along their normals"
+        for force, planes, columns, names in (
+                ("0", 1, {}, [along, "thereof friction"]),
+                ("1", 1, {}, [along + ", and body forces", "thereof friction"]),
+                ("1", 1, {"contact_work": 0.25, "slip_work": 0.5},
+                 ["thereof body forces", along, "thereof friction",
+                  "thereof slipping interfaces"]),
+                ("0", 1, {"contact_work": 0.25, "slip_work": 0.75},
+                 [along, "thereof friction", "thereof slipping interfaces"])):
+            run = self.run_of(force=force)
+            run.planes = planes * ["wall"]
+            for name, value in columns.items():
+                run.history[name] = np.array([0., value])
+            rows = dict(head_report.ledger(run))
+            parts = [name for name in rows if name.startswith("thereof")]
+            self.assertEqual(parts, names)
+            np.testing.assert_allclose(
+                sum(rows[name] for name in parts),
+                rows["work of planes" + (
+                    ", body forces and slipping interfaces"
+                    if "slip_work" in columns else " and body forces")])
+
     def test_forces_of_bodies_are_no_error(self):
-        self.assertNotIn("planes at rest", self.energy(
-            self.run_of(force="1", Method="mpm")))
+        for force in ("1", "nan"):
+            self.assertNotIn("planes at rest", self.energy(
+                self.run_of(force=force, Method="mpm")))
 
     def test_cells_lose_nothing(self):
         text = self.energy(self.run_of(Method="ale"))

@@ -23,6 +23,7 @@ CONSTANTS = {
                      ("Relaxation time", "s"), ("Kinematics", "")),
     "tissue": (("Tissue", ""), ("Tissue set", ""), ("Kinematics", ""))}
 FLOW_TIMES = (1e-3, 5e-3)
+ROUND_OFF = 1e-9  # of sums of energies, over the largest of them
 
 
 def build(run, folder):
@@ -137,7 +138,7 @@ def answer(run, judged):
             low, at_low = extreme(run, "least_pressure", layer, np.argmin)
             high, at_high = extreme(run, "largest_pressure", layer, np.argmax)
             text.append(
-                f"{name} reaches from {page.quantity(low, 'Pa')} "
+                f"{name} in single {_carriers(run)} reaches from {page.quantity(low, 'Pa')} "
                 f"({page.milliseconds(at_low)}) to "
                 f"{page.quantity(high, 'Pa')} ({page.milliseconds(at_high)}).")
     strain = injury_table.find(judged, "injury_strain_95")
@@ -412,18 +413,44 @@ def _extrema(run):
                       numbers=(2, 3))
 
 
+def work_label(run):
+    """What does the external work of history.csv."""
+    return "work of planes" + (
+        ", body forces and slipping interfaces" if "slip_work" in run.history
+        else " and body forces")
+
+
+def work_parts(run):
+    """Names and columns of what the external work consists of, which is their
+    sum; [] without planes and slip [J]."""
+    history = run.history
+    along = "thereof planes, along their normals"
+    parts = [(label, history[name]) for name, label in (
+        ("contact_work", along), ("friction_work", "thereof friction"),
+        ("slip_work", "thereof slipping interfaces")) if name in history]
+    rest = history["external_work"] - sum(column for _, column in parts)
+    largest = np.max(np.abs(history["external_work"]))
+    if parts and np.max(np.abs(rest)) > ROUND_OFF * largest:
+        parts.insert(0, (
+            "thereof body forces" if "contact_work" in history or
+            not run.planes else along + (
+                ", and body forces" if has_body_force(run) else ""), rest))
+    return parts
+
+
+def has_body_force(run):
+    return any((run.parameter(f"Body force/{axis}") or [np.nan])[0] != 0.
+               for axis in "xyz")
+
+
 def ledger(run):
     """Names and columns of the energies of the whole head [J]."""
     history = run.history
     found = [("kinetic", history["kinetic_energy"]),
              ("internal", history["internal_energy"]),
              ("both", history["kinetic_energy"] + history["internal_energy"]),
-             ("work of planes and body forces", history["external_work"])]
-    for name, label in (
-            ("contact_work", "thereof planes, along their normals"),
-            ("friction_work", "thereof friction")):
-        if name in history:
-            found.append((label, history[name]))
+             (work_label(run), history["external_work"])]
+    found += work_parts(run)
     if "interface_work" in history:
         found.append(("made up between fluid and solid",
                       history["interface_work"]))
@@ -444,8 +471,7 @@ def false_energies(run):
     given = np.max(history["stored_energy"] - history["internal_energy"])
     words = [f"{page.percent(float(given) / largest, 2)} were given back by "
              "the matter beyond what it had stored"] if given > 0. else []
-    if "friction_work" in history and not any(
-            (run.parameter(f"Body force/{axis}") or [0.])[0] for axis in "xyz"):
+    if "friction_work" in history and not has_body_force(run):
         work = np.max(np.abs(history["external_work"]
                              - history["friction_work"]))
         if work > 0.:
@@ -471,7 +497,7 @@ def energy(run, folder):
         "What is missing in the ledger is "
         + (f"{page.number(abs(residual), 2)} of the energy" if residual
            else "nothing") + ": the sum of kinetic and internal energy "
-        "changes by the work of planes and body forces"
+        f"changes by the {work_label(run)}"
         + (" and what is made up between fluid and solid"
            if "interface_work" in run.history else "")
         + (", less transfer loss and contact loss" if run.has_particles()
