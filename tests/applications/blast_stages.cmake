@@ -81,6 +81,7 @@ contrecoup_add_application_test(gauge_lines gauge_lines TIMEOUT 1200
   SET "Charges/Charge 1/Mass=1" "Boundaries/y low=symmetry"
     "Domain/Upper corner=10.24, 10.24" "Domain/Coarse leaves=8, 8"
     "Adaptation/Limit far/Radius=2.2" ${_outside_5}
+    "Adaptation/Limit beyond/Largest level=5"
     "First stage/Cell size=0.005" "First stage/Hand over at=radius"
     "First stage/Radius=2" "Probes/Points=" "Probes/Gauge planes="
     "Probes/Lines=0.3, 0 : 10, 0 : 195" "Output/Pictures=false"

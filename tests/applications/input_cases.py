@@ -584,7 +584,7 @@ def unused():
 
 
 def near_sides():
-    """A domain of the user with an open side from which the front returns."""
+    """A domain with an open side from which the front returns."""
     yield ("reflection of a scene", "scene",
            shipped("scene/verification/head.prm",
                    entry("Blast/Domain/Lower corner", "-1.28, -0.64, 0"),
@@ -598,6 +598,12 @@ def near_sides():
                     "2.8, -0.2, 1.5 : 4.4, 0.2, 1.5 : 9, 5")]
     yield ("reflection at a plane of gauges", "scene", shipped(SCENE, *street),
            "by the open side x high back to the probe at 4.4, 0, 1.5 m")
+    yield ("reflection at a line of gauges alone", "blast",
+           shipped("blast/verification/kingery_bulmash.prm",
+                   entry("Time/End time", "0.012"),
+                   entry("Probes/Points", ""),
+                   entry("Probes/Lines", "0.5 : 3 : 6")),
+           "first reflection from an open side at the probe at 3 m")
     yield ("gauges in coarse cells", "scene",
            shipped(SCENE, *street,
                    entry("Blast/Adaptation/Limit far away/Radius", "0.5")),

@@ -89,7 +89,7 @@ namespace
     return result;
   }
 
-  /// Positions that no reflection from an open side may reach: the probes, and
+  /// Positions that no reflection from an open side may reach: the gauges, and
   /// the point of the body's box that a wave from @p side would meet first.
   template <int dim>
   std::vector<dealii::Point<dim>>
@@ -97,7 +97,7 @@ namespace
                 const std::optional<Box<dim>> &body,
                 const unsigned int side)
   {
-    std::vector<dealii::Point<dim>> places = plan.probes;
+    std::vector<dealii::Point<dim>> places = plan.gauges;
     if (body)
     {
       dealii::Point<dim> nearest;
@@ -112,7 +112,7 @@ namespace
   }
 
   /// Distance by which @p side must move outwards so that the path of the
-  /// reflection to each probe and to the body is at least @p path [m].
+  /// reflection to each gauge and to the body is at least @p path [m].
   template <int dim>
   double growth(const gas::ModellingPlan<dim> &plan,
                 const std::optional<Box<dim>> &body,
@@ -155,8 +155,8 @@ void fit_domain(ParameterHandler &scene, const MPI_Comm communicator)
   Log::instance().set_active(
     dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0);
   const auto body = box_of_body(scene, plan);
-  if (plan.probes.empty() && !body)
-    throw InputError("Domain/Size = by time needs Probes/Points or a body of "
+  if (plan.gauges.empty() && !body)
+    throw InputError("Domain/Size = by time needs Probes or a body of "
                      "finite size, which reflections may not reach before the "
                      "end time");
   const double front = plan.expected_front(plan.end_time);

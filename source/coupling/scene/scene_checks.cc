@@ -10,8 +10,10 @@
 #include <contrecoup/coupling/first_stage/first_stage_parameters.h>
 #include <contrecoup/coupling/scene/scene_checks.h>
 #include <contrecoup/gas/adaptation/size_limits.h>
+#include <contrecoup/gas/run/reflected_path.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -231,36 +233,35 @@ void check_blast(const PlannedScene &scene, const TaskText &blast)
 std::string reflection_warning(const PlannedScene &scene, const TaskText &blast)
 {
   const SceneLayout &layout = scene.layout();
-  const dealii::BoundingBox<3> domain = domain_of(blast);
-  double shortest = layout.front_distance;
-  std::string where;
-  for (unsigned int side = 0; side < 6; ++side)
-  {
-    const unsigned int d = side / 2;
-    const std::string name =
-      std::string(1, "xyz"[d]) + (side % 2 == 0 ? " low" : " high");
-    if (blast.values.at("Boundaries/" + name) != "open")
-      continue;
-    const double place =
-      side % 2 == 0 ? domain.lower_bound(d) : domain.upper_bound(d);
-    Point<3> image = layout.charge;
-    image[d] = 2. * place - image[d];
-    for (const GaugeRaster &gauge : find_gauges(blast.values))
-    {
-      const Point<3> probe = gauge.nearest(image);
-      if (image.distance(probe) >= shortest)
-        continue;
-      shortest = image.distance(probe);
-      where = name + " back to the probe at " + coordinates(probe) + " m";
-    }
-  }
-  return where.empty()
-           ? ""
-           : "WARNING: reflection: from the charge by the open side " + where +
-               " it is " + brief(shortest, 3) + " m, and the front goes " +
-               brief(layout.front_distance, 3) + " m until " +
-               brief(scene.parameters().end_time) +
-               " s; a larger Blast/Domain, or none, keeps its reflection away";
+  const auto corners = domain_of(blast).get_boundary_points();
+  const std::vector<GaugeRaster> gauges = find_gauges(blast.values);
+  const std::array<std::string, 6> sides{
+    {"x low", "x high", "y low", "y high", "z low", "z high"}};
+  std::vector<unsigned int> open;
+  for (unsigned int side = 0; side < sides.size(); ++side)
+    if (blast.values.at("Boundaries/" + sides[side]) == "open")
+      open.push_back(side);
+  if (gauges.empty() || open.empty())
+    return "";
+  const auto nearest = [&](const Point<3> &image) {
+    Point<3> found = gauges.front().nearest(image);
+    for (const GaugeRaster &gauge : gauges)
+      if (image.distance(gauge.nearest(image)) < image.distance(found))
+        found = gauge.nearest(image);
+    return found;
+  };
+  const gas::ReflectedPath<3> path =
+    gas::reflected_paths<3>(
+      layout.charge, corners.first, corners.second, open, nearest)
+      .front();
+  if (path.length >= layout.front_distance)
+    return "";
+  return "WARNING: reflection: from the charge by the open side " +
+         sides[path.side] + " back to the probe at " + coordinates(path.gauge) +
+         " m it is " + brief(path.length, 3) + " m, and the front goes " +
+         brief(layout.front_distance, 3) + " m until " +
+         brief(scene.parameters().end_time) +
+         " s; a larger Blast/Domain, or none, keeps its reflection away";
 }
 
 

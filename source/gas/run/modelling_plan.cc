@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/base/system/coordinates.h>
 #include <contrecoup/gas/run/modelling_plan.h>
 #include <contrecoup/numerics/injury/expected_blast.h>
 
@@ -26,6 +27,15 @@ namespace
   double diffusion_length(const double diffusivity, const double time)
   {
     return std::sqrt(diffusivity * std::max(0., time));
+  }
+
+  const std::string first_reflection = "first reflection from an open side at ";
+
+  /// A gauge in words.
+  template <int dim>
+  std::string place_of(const dealii::Point<dim> &gauge)
+  {
+    return "the probe at " + coordinates(gauge) + " m";
   }
 
   /// The items on neglected physics of air, without values.
@@ -96,10 +106,10 @@ std::vector<Assumption> ModellingPlan<dim>::items() const
                       unknown,
                       false,
                       "Material/Equation of state"});
-  if (!open_sides.empty() && !probes.empty())
+  if (!open_sides.empty() && !gauges.empty())
     result.push_back({"reflection",
                       "open sides far enough away",
-                      "first reflection from an open side at a probe",
+                      first_reflection + "a probe",
                       "s",
                       unknown,
                       end_time,
@@ -133,15 +143,15 @@ std::vector<Assumption> ModellingPlan<dim>::items() const
 
 
 template <int dim>
-std::pair<double, double>
-ModellingPlan<dim>::reflected_path(const unsigned int side,
-                                   const dealii::Point<dim> &probe) const
+std::vector<ReflectedPath<dim>> ModellingPlan<dim>::paths_by_open_sides() const
 {
-  const unsigned int d = side / 2;
-  const double place = side % 2 == 0 ? lower[d] : upper[d];
-  dealii::Point<dim> image = probe;
-  image[d] = 2. * place - probe[d];
-  return {image.distance(centre), std::abs(place - centre[d])};
+  return reflected_paths<dim>(
+    centre, lower, upper, open_sides, [&](const dealii::Point<dim> &image) {
+      return *std::min_element(
+        gauges.begin(), gauges.end(), [&](const auto &one, const auto &other) {
+          return image.distance_square(one) < image.distance_square(other);
+        });
+    });
 }
 
 
@@ -156,14 +166,12 @@ double ModellingPlan<dim>::expected_front(const double time) const
 
 
 template <int dim>
-double ModellingPlan<dim>::expected_return() const
+void ModellingPlan<dim>::expect_return(Assumption &item) const
 {
   const ExpectedBlast blast(energy, ambient.pressure, ambient.density);
-  double first = OpenSides<dim>::never;
-  for (const unsigned int side : open_sides)
-    for (const auto &probe : probes)
-      first = std::min(first, blast.arrival(reflected_path(side, probe).first));
-  return first;
+  const ReflectedPath<dim> first = paths_by_open_sides().front();
+  item.value = blast.arrival(first.length);
+  item.quantity = first_reflection + place_of(first.gauge);
 }
 
 
@@ -181,21 +189,23 @@ double ModellingPlan<dim>::expected_end_of_symmetry() const
 
 
 template <int dim>
-double ModellingPlan<dim>::measured_return(const Measurements &measured) const
+void ModellingPlan<dim>::measure_return(const Measurements &measured,
+                                        Assumption &item) const
 {
   // On the way back from the side it is a weak wave.
   const double sound_speed =
     std::sqrt(1.4 * ambient.pressure / ambient.density);
-  double first = OpenSides<dim>::never;
-  for (const unsigned int side : open_sides)
-    for (const auto &probe : probes)
-    {
-      const auto [whole, straight] = reflected_path(side, probe);
-      const double reached =
-        std::min(measured.side_arrivals[side], measured.time);
-      first = std::min(first, reached + (whole - straight) / sound_speed);
-    }
-  return first;
+  item.value = OpenSides<dim>::never;
+  for (const ReflectedPath<dim> &path : paths_by_open_sides())
+  {
+    const double reached =
+      std::min(measured.side_arrivals[path.side], measured.time);
+    const double back = reached + (path.length - path.to_side) / sound_speed;
+    if (back >= item.value)
+      continue;
+    item.value = back;
+    item.quantity = first_reflection + place_of(path.gauge);
+  }
 }
 
 
@@ -248,7 +258,7 @@ std::vector<Assumption> ModellingPlan<dim>::plan() const
     else if (item.name == "first_stage")
       item.value = std::min(1., expected_end_of_symmetry() / end_time);
     else if (item.name == "reflection")
-      item.value = expected_return();
+      expect_return(item);
     else if (item.name == "air")
       item.value = excess_pressure_of_perfect_air(
         blast->overpressure(nearest), ambient.pressure, ambient.density);
@@ -296,7 +306,7 @@ ModellingPlan<dim>::audit(const Measurements &measured) const
         diffusion_length(diffusivity * inverse_prandtl_number, measured.time) /
         measured.smallest_subcell;
     else if (item.name == "reflection")
-      item.value = measured_return(measured);
+      measure_return(measured, item);
     else if (item.name == "quiet_leaves")
       item.value = measured.skipped;
     else if (item.name == "equation_of_state")

@@ -112,8 +112,7 @@ void RunPlan<dim>::find_blast()
 
 
 template <int dim>
-std::vector<Assumption>
-RunPlan<dim>::plan(const std::vector<dealii::Point<dim>> &probes)
+std::vector<Assumption> RunPlan<dim>::plan(const Recorders<dim> &recorders)
 {
   const GasScene<dim> &scene = core_.scene();
   const CoarseMesh<dim> &mesh = scene.coarse_mesh;
@@ -127,7 +126,10 @@ RunPlan<dim>::plan(const std::vector<dealii::Point<dim>> &probes)
     if (mesh.is_axis_aligned() && !mesh.is_periodic(side / 2) &&
         scene.boundary.kind(side) == Boundary<dim>::Kind::open)
       plan_.open_sides.push_back(side);
-  plan_.probes = probes;
+  plan_.probes = recorders.template get<ProbeSet<dim>>().places();
+  plan_.gauges = plan_.probes;
+  const auto &rasters = recorders.template get<ProbeRasters<dim>>().places();
+  plan_.gauges.insert(plan_.gauges.end(), rasters.begin(), rasters.end());
   plan_.end_time = scene.end_time;
   plan_.skips_quiet_leaves = core_.skips_quiet_leaves();
   plan_.smallest_subcell = finest_edge();

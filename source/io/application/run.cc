@@ -128,7 +128,10 @@ namespace io
       if (const Assumption *known = find_assumption(coarse, item.name);
           known != nullptr && std::isnan(item.value) &&
           (!is_part || item.name == "first_stage"))
+      {
         item.value = known->value;
+        item.quantity = known->quantity;
+      }
   }
 
   void Run::warn()

@@ -28,6 +28,7 @@ ModellingPlan<2> quarter()
   plan.upper = dealii::Point<2>(3., 5.);
   plan.open_sides = {1, 3};
   plan.probes = {dealii::Point<2>(2., 0.), dealii::Point<2>(0., 1.)};
+  plan.gauges = plan.probes;
   plan.end_time = 0.01;
   plan.smallest_subcell = 0.01;
   return plan;
@@ -62,6 +63,28 @@ TEST(ModellingPlan, KnowsTheFirstReflection)
   measured.side_arrivals[1] = OpenSides<2>::never;
   EXPECT_DOUBLE_EQ(value_of(plan.audit(measured), "reflection"),
                    0.008 + 1. / sound_speed);
+}
+
+// Those of lines and planes count as probes do, by the nearest to a side.
+TEST(ModellingPlan, LooksAtAllGaugesForReflections)
+{
+  ModellingPlan<2> plan = quarter();
+  plan.probes.clear();
+  plan.gauges = {dealii::Point<2>(2., 0.), dealii::Point<2>(2.5, 0.5)};
+  const ExpectedBlast blast(4e6, pressure, density);
+  const std::vector<Assumption> items = plan.plan();
+  EXPECT_DOUBLE_EQ(value_of(items, "reflection"),
+                   blast.arrival(std::hypot(3.5, 0.5)));
+  for (const Assumption &item : items)
+    if (item.name == "reflection")
+      EXPECT_EQ(
+        item.quantity,
+        "first reflection from an open side at the probe at 2.5, 0.5 m");
+    else
+      EXPECT_NE(item.name, "air");
+  plan.gauges.clear();
+  for (const Assumption &item : plan.plan())
+    EXPECT_NE(item.name, "reflection");
 }
 
 TEST(ModellingPlan, FailsWhenTheEndIsTooLate)

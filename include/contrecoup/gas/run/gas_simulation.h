@@ -48,7 +48,7 @@ public:
   std::vector<NamedValue> checks() override;
   std::vector<Assumption> plan() override
   {
-    return plan_.plan(probe_set().places());
+    return plan_.plan(recorders_);
   }
   std::vector<Assumption> audit() override
   {

@@ -5,6 +5,7 @@
 
 #include <contrecoup/base/run/simulation.h>
 #include <contrecoup/gas/record/open_sides.h>
+#include <contrecoup/gas/run/reflected_path.h>
 #include <contrecoup/gas/state/gas_state.h>
 
 #include <limits>
@@ -20,7 +21,7 @@ namespace contrecoup::gas
  *   first_stage       fraction of the time for which 1-D suffices; plan only
  *   equation_of_state fraction of the pressure of explosive products that an
  *                     ideal gas lacks
- *   reflection        waves reflected at open sides reach the probes after the
+ *   reflection        waves reflected at open sides reach all gauges after the
  *                     end time
  *   air               constant heat capacities
  *   gravity           its speed is small compared with that of the gas
@@ -43,6 +44,9 @@ public:
   dealii::Point<dim> lower, upper; ///< of the domain [m]
   std::vector<unsigned int> open_sides;
   std::vector<dealii::Point<dim>> probes;
+  /// All places that no reflection from open sides may reach: the probes, and
+  /// those of lines and planes.
+  std::vector<dealii::Point<dim>> gauges;
   double end_time = 0.;         ///< [s]
   double smallest_subcell = 0.; ///< edge [m]
   bool skips_quiet_leaves = true;
@@ -79,17 +83,15 @@ public:
 private:
   /// All items without values.
   std::vector<Assumption> items() const;
-  /// Lengths of two paths [m]: of the shortest path from the centre to a probe
-  /// with mirror reflection at @p side, and straight from the centre to the
-  /// side.
-  std::pair<double, double>
-  reflected_path(const unsigned int side,
-                 const dealii::Point<dim> &probe) const;
-  double expected_return() const;
+  /// The shortest one to a gauge by each open side.
+  std::vector<ReflectedPath<dim>> paths_by_open_sides() const;
+  /// Sets time and place of the first reflection that the blast is expected to
+  /// have, and of the measured one.
+  void expect_return(Assumption &item) const;
+  void measure_return(const Measurements &measured, Assumption &item) const;
   /// Time at which the front reaches the nearest side that is not a plane
   /// through the centre, where spherical symmetry ends [s].
   double expected_end_of_symmetry() const;
-  double measured_return(const Measurements &measured) const;
   double expected_quiet_fraction() const;
   /// Whether the ambient gas is air at about sea level.
   bool is_air() const;

@@ -31,9 +31,7 @@ public:
                     const double non_ideal_fraction);
 
   /// Plan before the run. Collective.
-  /// @param probes positions at which no reflection from open sides may arrive
-  /// [m]
-  std::vector<Assumption> plan(const std::vector<dealii::Point<dim>> &probes);
+  std::vector<Assumption> plan(const Recorders<dim> &recorders);
 
   /// The plan with measured values. Collective.
   std::vector<Assumption> audit(Recorders<dim> &recorders) const;
