@@ -70,11 +70,11 @@ class InjuryMapsTest(unittest.TestCase):
         coarser["lung_lethality"][0][:] = 0.
         self.write(coarser, os.path.join(self.folder, "coarser_blast"))
         self.assertIn("eardrums would rupture on 1.25 m² (by the numerics 0.449 "
-                      "to 2.00 m²)", told())
+                      "to 2.00 m², unknown on 0.250 m²)", told())
         self.assertIn("people would die on 1.25 m² (by the numerics 0 to "
-                      "2.00 m²)", told())
+                      "2.00 m², unknown on 0.500 m²)", told())
         self.assertIn("4 psi are exceeded on 1.25 m² (by the numerics 1.23 to "
-                      "1.27 m²)", told())
+                      "1.27 m², unknown on 0.250 m²)", told())
 
     def test_groups(self):
         """Injuries stand beside the maps of the blast, where there are any."""

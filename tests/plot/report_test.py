@@ -759,10 +759,11 @@ class ReportTest(unittest.TestCase):
             facts.update(height=0.06),
             facts["tables"].update(burst="hemispherical")))
         text = text_of(Made(folder).page)
-        self.expect(text, "for a bare charge on the ground (hemispherical burst)",
-                    ", without the body", "those of the incident wave; "
+        self.expect(text, "for a bare charge on the ground with a hemispherical "
+                    "wave", ", without the body", "those of the incident wave; "
                     "reflections by the body add to impulse and duration")
         self.assertNotIn("in free air", text)
+        self.assertNotIn(") (", text)
         self.expect(self.text, "for a bare charge in free air",
                     ", without ground and body")
 

@@ -112,17 +112,19 @@ def people(scene):
 def _area(scene, maps, coarse, name, level):
     """Where a quantity exceeds a level, in words."""
     found = injury_maps.area_above(maps, name, level)
-    words = f" on {page.number(found)} m²"
+    doubts = []
     if name in coarse:
         low, high = error_estimate.of_area(
             scene, found, injury_maps.area_above(coarse, name, level),
             injury_maps.area(maps))
         low, high = (page.number(limit) for limit in (low, high))
-        words += f" (by the numerics {low} to {high} m²)" \
-            if str(low) != str(high) else ""
+        if str(low) != str(high):
+            doubts.append(f"by the numerics {low} to {high} m²")
     unknown = injury_maps.area_unknown(maps, name)
-    return words + (f" (unknown on {page.number(unknown)} m²)"
-                    if unknown > 0. else "")
+    if unknown > 0.:
+        doubts.append(f"unknown on {page.number(unknown)} m²")
+    return f" on {page.number(found)} m²" + (
+        f" ({', '.join(doubts)})" if doubts else "")
 
 
 def _mass_of_people(scene):

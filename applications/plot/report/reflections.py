@@ -27,7 +27,7 @@ def is_surface_burst(scene):
 
 def place_of_burst(scene):
     """Where the tables have the charge, in words."""
-    return "on the ground (hemispherical burst)" if is_surface_burst(scene) \
+    return "on the ground with a hemispherical wave" if is_surface_burst(scene) \
         else "in free air"
 
 
