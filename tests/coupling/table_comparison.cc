@@ -60,8 +60,9 @@ void write_blast(const std::string &folder,
     << (is_cut ? R"(}, "probe_1_cut_off": {"value": 1}}})" : "}}}");
   std::ofstream(folder + "/probe_injury.csv")
     << "measure,place,value,unit,definition\nlung_exposure,probe 1,"
-    << factor * tables.in_the_open.lung_exposure << ",-,\"\"\n"
-    << "lung_lethality,probe 1,0.25,-,\"\"\n";
+    << (is_cut ? std::nan("") : factor * tables.in_the_open.lung_exposure)
+    << ",-,\"\"\nlung_lethality,probe 1," << (is_cut ? "nan" : "0.25")
+    << ",-,\"\"\n";
 }
 
 

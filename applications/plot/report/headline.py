@@ -26,7 +26,7 @@ COMPARED = {"peak_overpressure": "peak overpressure",
             "eardrum_rupture": "rupture probability of an eardrum in the open"}
 LUNGS = ("lung_exposure", "lung_lethality")
 # What grows with the positive phase.
-OF_THE_PHASE = ("impulse", "duration", *LUNGS)
+OF_THE_PHASE = ("impulse", "duration")
 CHANCES = ("lung_lethality", "eardrum_rupture")
 LARGE_BIAS = 0.1  # of the model, which may decide a verdict
 MOST_LINES = 3  # of what could change the verdict, in the text version

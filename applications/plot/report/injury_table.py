@@ -186,8 +186,6 @@ def judge(scene):
 def _is_cut(scene, name, side):
     """Whether a load of the lungs is a lower limit: the run ends before the
     positive phase that it follows from."""
-    if name == "lung_exposure_air":
-        return bool(scene.blast.found("results", "probe_1_cut_off"))
     return name == SKIN_NAMES.get(("lung_exposure", side)) and \
         scene.gauge_measures().get(side, {}).get("cut off", 0.) > 0.
 

@@ -51,8 +51,9 @@ def note(scene):
     as sentences."""
     is_cut = scene.blast.found("results", "probe_1_cut_off")
     return _reflections(scene) + (
-        " The run ends before the positive phase does: its impulse, duration "
-        "and load on the lung are lower limits." if is_cut else "")
+        " The run ends before the positive phase does: its impulse and duration "
+        "are lower limits, and what it does to lungs is unknown."
+        if is_cut else "")
 
 
 def _reflections(scene):

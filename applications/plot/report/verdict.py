@@ -86,7 +86,7 @@ def disagrees(scene, judged):
 def _life(scene, judged):
     entry = injury_table.find(judged, "lung_lethality")
     if entry is None:
-        return None
+        return _cut_off(scene)
     words = _word(LIFE, entry, entry.value).strip()
     if entry.is_own:
         words = f"death by lung injury{words}"
@@ -104,6 +104,19 @@ def _life(scene, judged):
             or (wall is not None and "lethality" in wall.meaning())):
         words, kind = "probably survives", "mid"
     return Verdict("life", words, kind, detail, entry)
+
+
+def _cut_off(scene):
+    """Why nothing is known of life where the run has less than the positive
+    phase; None where that is not the reason."""
+    if injury_table.lungs_by(scene) != "probe" \
+            or not scene.blast.found("results", "probe_1_cut_off"):
+        return None
+    known, _ = scene.table_answer("lung_lethality")
+    return Verdict("life", "survival not judged", "none",
+                   "the run ends before the positive phase does"
+                   + ("" if known is None else "; death by lung injury by the "
+                      f"tables: {page.chance(known)}"))
 
 
 def _by_the_tables(scene, ears):

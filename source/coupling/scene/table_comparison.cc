@@ -205,7 +205,7 @@ std::vector<ComparedQuantity> compare_with_tables(const SceneParameters &scene,
   add("impulse", "Pa s", answer->impulse, true, is_cut);
   add("duration", "s", answer->duration, true, merges || is_cut);
   add("arrival", "s", answer->arrival, false, merges);
-  add("lung_exposure", "-", answer->in_the_open.lung_exposure, true, is_cut);
+  add("lung_exposure", "-", answer->in_the_open.lung_exposure, true);
   add("lung_lethality", "-", answer->in_the_open.lung_lethality, true);
   add("eardrum_rupture", "-", answer->in_the_open.eardrum_rupture, true);
   for (ComparedQuantity &one : list)

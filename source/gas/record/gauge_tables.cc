@@ -23,8 +23,8 @@ namespace
   const std::string chest = "chest", back = "back";
   const std::vector<std::string> arms{"left upper arm", "right upper arm"};
   const std::string device = "device ";
-  constexpr const char *cut_off_words =
-    "; a lower limit: the run ends before the positive phase does";
+  const std::string run_ends_words =
+    "the run ends before the positive phase does";
   const std::string header = "measure,place,value,unit,definition\n";
 
   std::string row(const std::string &measure,
@@ -143,14 +143,15 @@ namespace
     {
       const auto found = injuries.find(place);
       if (found != injuries.end() && found->second.pulse.duration > 0.)
-        text += row("lung_exposure",
-                    place,
-                    found->second.lung_exposure,
-                    "-",
-                    "peak overpressure on the skin over the free-field load "
-                    "that half survive for this positive phase and body mass "
-                    "(Bowen et al. 1968)" +
-                      std::string(cut.count(place) > 0 ? cut_off_words : ""));
+        text += row(
+          "lung_exposure",
+          place,
+          found->second.lung_exposure,
+          "-",
+          "peak overpressure on the skin over the free-field load "
+          "that half survive for this positive phase and body mass "
+          "(Bowen et al. 1968)" +
+            (cut.count(place) > 0 ? "; a lower limit: " + run_ends_words : ""));
     }
     return text;
   }
@@ -180,13 +181,16 @@ namespace
     constexpr std::size_t n_of_lungs = 2; // the first ones
     const std::size_t n_values = values.size() - (with_chest ? 0 : 2);
     for (std::size_t k = 0; k < n_values; ++k)
-      if (!std::isnan(values[k]))
+    {
+      const bool is_cut = air.is_cut && k < n_of_lungs;
+      if (is_cut || !std::isnan(values[k]))
         rows += row(air_injury_quantities[k].first,
                     air.place,
                     values[k],
                     air_injury_quantities[k].second,
                     air_injury_definitions[k] +
-                      (air.is_cut && k < n_of_lungs ? cut_off_words : ""));
+                      (is_cut ? "; not known: " + run_ends_words : ""));
+    }
     if (with_chest)
       rows +=
         row("peak_overpressure",
@@ -235,7 +239,8 @@ std::array<double, 5> air_injury_values(const AirBlast &air,
       {air.blast.peak, duration}, air.exposure.load, air.ambient, body_mass);
   };
   const AirInjury least = injury_of(shortest), injury = injury_of(longest);
-  const bool is_known = !air.exposure.goes_on() && say_the_same(least, injury);
+  const bool is_known =
+    !air.is_cut && !air.exposure.goes_on() && say_the_same(least, injury);
   return {{is_known ? injury.lung_exposure : unknown,
            is_known ? injury.lung_lethality : unknown,
            injury.eardrum_rupture,
@@ -247,7 +252,7 @@ std::array<double, 5> air_injury_values(const AirBlast &air,
 bool lungs_are_unknown(const AirBlast &air, const double body_mass)
 {
   const auto injuries = air_injury_values(air, body_mass);
-  return std::isnan(injuries[0]) && !std::isnan(injuries[2]);
+  return !air.is_cut && std::isnan(injuries[0]) && !std::isnan(injuries[2]);
 }
 
 

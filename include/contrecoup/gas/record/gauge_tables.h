@@ -70,8 +70,8 @@ struct AirBlast
   double ambient = 0.; ///< pressure [Pa]
   ExposureRecord exposure;
   double total_impulse = 0.; ///< of all positive phases so far [Pa s]
-  /// Whether the run ends before the positive phase does: loads on lungs are
-  /// then lower limits, and said to be.
+  /// Whether the run ends before the positive phase does: injuries of lungs
+  /// are then not known.
   bool is_cut = false;
 };
 
@@ -87,7 +87,8 @@ extern const std::vector<std::pair<std::string, std::string>>
  * the part of the positive impulse that the first positive phase has, 1 in a
  * simple wave, for which alone the lung exposure is defined, and none among
  * products. Not a number where
- * no blast has arrived and where nobody stands, see ExposureRecord.
+ * no blast has arrived and where nobody stands, see ExposureRecord; of lungs,
+ * where the blast is cut off, too.
  *
  * @param body_mass for the lung exposure [kg]
  */
