@@ -31,7 +31,6 @@ CostEstimate AleSimulation::estimate()
 {
   CostEstimate cost;
   cost.cells = mesh_description_.n_cells();
-  cost.unknowns = 5. * cost.cells;
   cost.memory = typical_memory * cost.cells;
   // The run loop refuses a mesh this large, so do not build it.
   const double available = available_memory(communicator_);
@@ -46,6 +45,12 @@ CostEstimate AleSimulation::estimate()
                      coupling_.name() + "; use monolithic");
   coupling_.require_interface(mesh, regions_.regions());
   check_scene(mesh);
+  // Nodes of sliding interfaces are double.
+  const auto &regions = regions_.regions();
+  if (std::none_of(regions.begin(), regions.end(), [](const Region &region) {
+        return region.slides;
+      }))
+    cost.unknowns = 3. * mesh.n_used_vertices() + 2. * cost.cells;
   // Cold gas at rest moves at the speed of a wall.
   const double speed = regions_.largest_speed(mesh) +
                        mesh_description_.largest_wall_speed(end_time_);

@@ -406,6 +406,9 @@ namespace io
     }
     if (trials.empty())
       return without_trials(description, prm, rough, collective);
+    // Coarse trials have other nodes for each cell than the run.
+    if (rough.unknowns > 0. && !adapts)
+      result.unknowns = std::round(rough.unknowns * result.cells / rough.cells);
     leave_out_unknown(result, trials, adapts, prm);
     if (!description.pictures.empty() && prm.get_bool({"Output"}, "Pictures"))
     {

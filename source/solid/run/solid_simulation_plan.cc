@@ -23,9 +23,10 @@ namespace
   /// Memory per element with its nodes and a part of the mesh [bytes].
   constexpr double typical_memory = 900.;
 
-  /// Number of elements up to which --check builds the mesh, to find what its
-  /// entries select, and sets the run up.
-  constexpr double cheap_mesh = 1e5;
+  /// Numbers of elements up to which --check builds the mesh, to count its
+  /// nodes and find what its entries select, and up to which it sets the run
+  /// up.
+  constexpr double cheap_mesh = 1e6, cheap_setup = 1e5;
 
   /// Rotation of which small strain makes a strain of 1.25e-3 [rad].
   constexpr double notable_rotation = 0.05;
@@ -49,7 +50,6 @@ CostEstimate SolidSimulation<Real>::estimate()
 {
   CostEstimate cost;
   cost.cells = mesh_description_.estimate_elements();
-  // Without trial runs the number of nodes is unknown.
   cost.memory = typical_memory * cost.cells * (sizeof(Real) == 4 ? 0.7 : 1.);
   const double step = mesh_description_.estimate_step(materials_);
   cost.steps = end_time_ / (safety_ * options_.step_factor() * step);
@@ -58,13 +58,13 @@ CostEstimate SolidSimulation<Real>::estimate()
     (options_.integration == Integration::full ? full_integration : 1.) /
     dealii::Utilities::MPI::n_mpi_processes(communicator_);
   if (cost.cells <= cheap_mesh)
-    check_selections();
+    cost.unknowns = 3. * static_cast<double>(check_selections());
   return cost;
 }
 
 
 template <typename Real>
-void SolidSimulation<Real>::check_selections()
+std::uint64_t SolidSimulation<Real>::check_selections()
 {
   HexMesh mesh = mesh_description_.create();
   SlipInterface slip;
@@ -76,6 +76,7 @@ void SolidSimulation<Real>::check_selections()
   probes_.reinit(part, communicator_);
   if (injury_.active())
     injury_.find_chest(part, communicator_);
+  return part.n_global_nodes;
 }
 
 
@@ -85,7 +86,7 @@ std::vector<Assumption> SolidSimulation<Real>::plan()
   // With --check nothing is set up so far: what a run refuses and warns of at
   // its start is found here.
   if (body_.mesh().n_global_nodes == 0 &&
-      mesh_description_.estimate_elements() <= cheap_mesh)
+      mesh_description_.estimate_elements() <= cheap_setup)
     setup();
   std::vector<Assumption> items;
   for (const Tissue tissue : materials_.own())

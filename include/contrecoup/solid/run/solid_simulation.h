@@ -73,9 +73,10 @@ private:
   void build();
   SolidSelectors selectors() const;
 
-  /// Builds the mesh to find entries that select nothing.
+  /// Builds the mesh to find entries that select nothing; returns its number
+  /// of nodes.
   /// @throws InputError
-  void check_selections();
+  std::uint64_t check_selections();
   void report_step() const;
 
   /// Warns once if elements turn although strains are to be small.
