@@ -94,7 +94,8 @@ namespace
     out << " outcome | unknowns | steps | " << cost_title(parameters.cost)
         << " |";
     if (has_errors)
-      out << ' ' << parameters.error.title(result.columns) << " | order | best |";
+      out << ' ' << parameters.error.title(result.columns)
+          << " | order | best |";
     out << '\n'
         << rule << "---|---:|---:|---:|"
         << (has_errors ? "---:|---:|:---:|" : "") << '\n';
@@ -328,8 +329,9 @@ std::string to_json(const StudyParameters &parameters,
     {"mode", parameters.mode},
     {"cost", parameters.cost},
     {"error",
-     parameters.error.is_active() ? io::Json(parameters.error.title(result.columns))
-                                  : io::Json(nullptr)},
+     parameters.error.is_active()
+       ? io::Json(parameters.error.title(result.columns))
+       : io::Json(nullptr)},
     {"wanted", parameters.error.required_error()},
     {"factors", factors},
     {"columns", columns},

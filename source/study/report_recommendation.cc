@@ -57,7 +57,8 @@ std::vector<std::string> recommendation(const StudyParameters &parameters,
   const ResultRow *best = most_accurate(result);
   if (parameters.error.required_error() <= 0. || best == nullptr)
     return {};
-  const std::string goal = "the " + parameters.error.title(result.columns) + " at or below " +
+  const std::string goal = "the " + parameters.error.title(result.columns) +
+                           " at or below " +
                            brief(parameters.error.required_error(), 3);
   if (!result.recommended)
     return {"No variant keeps " + goal + ". The most accurate, " +

@@ -6,6 +6,7 @@ set(_folder head_impact/verification)
 # 0.0075 s, hence a period of 10.0008 s.
 contrecoup_add_application_test(vibrating_bar bounds,ranks,resume
   FILE ${_folder}/vibrating_bar.prm SET "Output/Fields=false"
+    "Output/History every steps=30"
   BOUNDS ${_ledger} "history.velocity_x_bar < 3.1e-4"
   "history.stored_energy > 0.0621" "errors.displacement_L1 < 3.07e-4"
   "errors.velocity_L1 < 3.37e-4" "checks.transfer_loss < 2.25e-3"

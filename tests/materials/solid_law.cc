@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/materials/principal_difference.h>
 #include <contrecoup/materials/solid_law.h>
 
 #include <gtest/gtest.h>
@@ -252,4 +253,34 @@ TEST(SolidLaw, CavitatesAtTheLargestTension)
   EXPECT_EQ(volumetric_energy(plain, 0.5), 0.125 * 2.25e9);
   water.largest_tension = 0.;
   EXPECT_THROW(water.check("water"), InputError);
+}
+
+TEST(SolidLaw, PrincipalDifference)
+{
+  // Of eigenvalues a, b, c in the frame of two rotations, also with two alike.
+  const double values[][3] = {
+    {3., 1., -2.}, {1., 0., -1.}, {1., 1., -2.}, {2., -1., -1.}, {5., 5., 5.}};
+  for (const auto &[a, b, c] : values)
+    for (const double scale : {1e-9, 1., 1e3})
+    {
+      const double s = 0.6, k = 0.8, cosine = 5. / 13., sine = 12. / 13.;
+      const double x[3][3] = {{k * cosine, s * cosine, sine},
+                              {-s, k, 0.},
+                              {-k * sine, -s * sine, cosine}};
+      Symmetric3<Lanes<double>> e{};
+      for (unsigned int i = 0; i < 6; ++i)
+        for (unsigned int n = 0; n < 3; ++n)
+          e[i] += scale *
+                  (n == 0   ? a
+                   : n == 1 ? b
+                            : c) *
+                  x[n][i % 3] * x[n][i < 3 ? i : (i + 1) % 3];
+      const double exact = scale * std::max({a - b, b - c, a - c});
+      const double found = principal_difference(e)[0],
+                   bound = square_difference_bound(e)[0];
+      EXPECT_NEAR(found, exact, 1e-7 * scale);
+      EXPECT_GE(bound, (1. - 1e-12) * exact * exact);
+      EXPECT_LE(bound,
+                (4. / 3. + 1e-12) * exact * exact + 1e-20 * scale * scale);
+    }
 }

@@ -323,27 +323,13 @@ class ParticlesTest(unittest.TestCase):
 
 
 class RowsTest(unittest.TestCase):
-    """Steps that history.csv leaves out are told, and what probes had then."""
+    """Times are those of rows, which leave steps out."""
 
     def test_words(self):
-        history = {"time": np.array([0., 1.]),
-                   "largest_pressure_csf": np.array([0., 7e5])}
-
-        class Probes(dict):
-            @staticmethod
-            def others(_):
-                return ["pressure_1", "density_1"]
-        for every, highest, words in (
-                (1., 9e5, ""), (10., 6e5, " (one of 10 steps; between them "
-                                "values may be larger)"),
-                (10., 9e5, " (one of 10 steps; between them values may be "
-                 "larger: probes, of every step, reach 900\u00a0kPa)")):
-            run = types.SimpleNamespace(
-                parameter=lambda _, of=every: [of], history=history,
-                column=lambda quantity, layer: history[f"{quantity}_{layer}"],
-                region=lambda layer: layer == "csf", probes=Probes(
-                    pressure_1=np.array([0., highest])))
-            self.assertEqual(head_report._rows_left_out(run), words)
+        for every, words in ((1., ""), (10., ", told at the next row of "
+                                        "history.csv, one of 10 steps")):
+            run = types.SimpleNamespace(parameter=lambda _, of=every: [of])
+            self.assertEqual(head_report._row_times(run), words)
 
 
 class CrossingTest(unittest.TestCase):

@@ -70,6 +70,13 @@ def _smoothing(run):
         f"(MPM/Smoothing = {smoothed})")
 
 
+def _averaged(run):
+    """That pressures of injury.csv are averages, in words."""
+    averaged = run.parameters.get("Injury/Pressure") == "averaged"
+    return ", pressures averaged over neighbouring ones," if averaged and (
+        not run.has_particles() or _smoothing(run)) else ""
+
+
 def _subtitle(run):
     version = run.summary.get("version", "")
     revision = run.summary.get("git_revision")
@@ -157,27 +164,17 @@ def answer(run, judged):
         "div", page.paragraph(" ".join(text)), page.paragraph(
             f"The run ends after {page.milliseconds(end)}. Largest and least "
             f"values are those of single {_carriers(run)}{_smoothing(run)}, of "
-            f"the rows of history.csv{_rows_left_out(run)}; the error that the "
-            "mesh makes has not been estimated."),
+            f"all steps{_row_times(run)}; the error that the mesh makes has "
+            "not been estimated."),
         kind="answer")
 
 
-def _rows_left_out(run):
-    """That history.csv lacks steps, which probes.csv has, in words."""
+def _row_times(run):
+    """That rows of history.csv have the extremes since the row before, in
+    words."""
     every = (run.parameter("Output/History every steps") or [1.])[0]
-    if every < 2.:
-        return ""
-    words = f" (one of {every:g} steps; between them values may be larger"
-    if run.probes is not None:
-        highest = max((float(run.probes[name].max()) for name in
-                       run.probes.others("time")
-                       if name.startswith("pressure_")), default=0.)
-        told = [extreme(run, "largest_pressure", layer, np.argmax)[0]
-                for layer in ("csf", "brain") if run.region(layer)]
-        if told and highest > max(told):
-            words += (f": probes, of every step, reach "
-                      f"{page.quantity(highest, 'Pa')}")
-    return words + ")"
+    return f", told at the next row of history.csv, one of {every:g} steps" \
+        if every > 1. else ""
 
 
 def _impact_speed(run):
@@ -540,8 +537,10 @@ def injury(run, judged):
         return [page.missing(
             "injury.csv: no solid region is what Injury/Brain or Injury/Skull "
             "name, or the run was not finished")]
-    told = (f"Of the brain's {_carriers(run)} "
-            "and the skull's mean motion, from injury.csv.")
+    every = (run.parameter("Injury/Every steps") or [1.])[0]
+    told = (f"Of the brain's {_carriers(run)}{_averaged(run)} and the skull's "
+            "mean motion, " + (f"in one of {every:g} steps, " if every > 1.
+                               else "") + "from injury.csv.")
     if run.mirrors:
         told += (f" What is computed, {_symmetry(run).rstrip(',')}, has the "
                  "measures of the whole head: parts of the brain are the same "

@@ -34,9 +34,9 @@ namespace
            " to " + milliseconds(values.at("contact_end"));
   }
 
-  std::string pressure_line(const Values &values)
+  std::string pressure_line(const Values &values, const std::string &which)
   {
-    std::string line = "Pressure in the brain: ";
+    std::string line = "Pressure in the brain, " + which + ": ";
     if (values.count("coup_pressure") == 0)
       return line + "from " +
              brief(1e-3 * values.at("injury_intracranial_pressure_lowest"), 3) +
@@ -52,7 +52,8 @@ namespace
 
 
 std::vector<std::string> answer_lines(const std::vector<NamedValue> &results,
-                                      const bool has_planes)
+                                      const bool has_planes,
+                                      const std::string &pressures)
 {
   Values values;
   for (const NamedValue &result : results)
@@ -61,7 +62,7 @@ std::vector<std::string> answer_lines(const std::vector<NamedValue> &results,
   if (has_planes && values.count("impact_speed") > 0)
     lines.push_back(contact_line(values));
   if (values.count("injury_intracranial_pressure_peak") > 0)
-    lines.push_back(pressure_line(values));
+    lines.push_back(pressure_line(values, pressures));
   if (values.count("injury_strain_95") > 0)
     lines.push_back("95 % of the brain is strained by at most " +
                     brief(100. * values.at("injury_strain_95"), 3) + " %");

@@ -222,6 +222,16 @@ std::vector<NamedValue> HeadRecord::coup(const MPI_Comm communicator) const
 }
 
 
+std::string HeadRecord::pressures_in_words(const bool is_smoothed) const
+{
+  return (averaged_ && is_smoothed ? "averaged over neighbouring "
+                                   : "of single ") +
+         object_ +
+         (interval_ > 1 ? ", in one of " + std::to_string(interval_) + " steps"
+                        : "");
+}
+
+
 void HeadRecord::write(const std::string &folder,
                        const MPI_Comm communicator) const
 {

@@ -4,6 +4,7 @@
 #include <contrecoup/ale/lagrange/corner_forces.h>
 #include <contrecoup/ale/mesh/cell_corners.h>
 #include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/materials/principal_difference.h>
 #include <contrecoup/materials/relaxation.h>
 #include <contrecoup/numerics/element/hex8_moments.h>
 
@@ -41,6 +42,43 @@ namespace
     return result;
   }
 
+  /// Extremes in the lanes of batches; squares of strains and speeds.
+  struct LaneExtremes
+  {
+    Lane least_pressure = Lane(std::numeric_limits<double>::max());
+    Lane largest_pressure = Lane(std::numeric_limits<double>::lowest());
+    Lane shear_strain = Lane(0.), speed = Lane(0.), void_volume = Lane(0.);
+
+    void add_pressure(const Lane &pressure)
+    {
+      least_pressure = std::min(least_pressure, pressure);
+      largest_pressure = std::max(largest_pressure, pressure);
+    }
+    void add_strain(const Symmetric3<Lane> &strain)
+    {
+      if (!any_less(shear_strain, square_difference_bound(strain)))
+        return;
+      const Lane difference = principal_difference(strain);
+      shear_strain = std::max(shear_strain, difference * difference);
+    }
+    void add_velocities(const HexVectors<Lane> &velocities)
+    {
+      for (const Vector3<Lane> &v : velocities)
+        speed = std::max(speed, dot(v, v));
+    }
+    RegionExtremes over_lanes() const
+    {
+      double volume = 0.;
+      for (unsigned int lane = 0; lane < CellBatches::n; ++lane)
+        volume += void_volume[lane];
+      return {smallest_lane(least_pressure),
+              largest_lane(largest_pressure),
+              std::sqrt(largest_lane(shear_strain)),
+              std::sqrt(largest_lane(speed)),
+              volume};
+    }
+  };
+
   template <typename Number>
   MovingSolidModel<Number> solid_model(const Region &region, const double step)
   {
@@ -72,6 +110,7 @@ void CornerForces::reinit(const HexSpace &space,
 {
   space_ = &space;
   regions_ = regions;
+  extremes_.assign(regions.size(), RegionExtremes());
   batches_.reinit(space, node_width);
   for (const CellBatches::Range &range : batches_.ranges())
     if (range.region >= regions.size())
@@ -112,6 +151,7 @@ void CornerForces::add_fluid(const CellBatches::Range &range,
                              dealii::AlignedVector<double> &force)
 {
   const FluidViscosity &viscosity = regions_[range.region].viscosity;
+  LaneExtremes extremes;
   Lane rate(0.), least(std::numeric_limits<double>::max());
   for (unsigned int batch = range.begin; batch < range.end; ++batch)
   {
@@ -121,17 +161,30 @@ void CornerForces::add_fluid(const CellBatches::Range &range,
     element.mass = gather_cells(state.mass.data(), cells);
     element.energy = gather_cells(state.energy.data(), cells);
     element.products = gather_cells(state.products.data(), cells);
+    const HexVectors<Lane> velocities = gather(state.velocity, offsets);
     store(batch,
           fluid_forces(law,
                        viscosity,
                        gather(state.position, offsets),
-                       gather(state.velocity, offsets),
+                       velocities,
                        element,
                        state.wedge),
           force);
     rate = std::max(rate, element.signal_rate);
     least = std::min(least, element.volume);
+    if (!keeps_extremes_)
+      continue;
+    extremes.add_pressure(element.pressure);
+    extremes.add_velocities(velocities);
+    if constexpr (std::is_same_v<Law, Tait>)
+      if (law.cavitation_density() > 0.)
+        extremes.void_volume +=
+          batches_.weight(batch) *
+          std::max(Lane(0.),
+                   element.volume - element.mass / law.cavitation_density());
   }
+  if (keeps_extremes_)
+    extremes_[range.region].include(extremes.over_lanes());
   signal_rate_ = std::max(signal_rate_, largest_lane(rate));
   least_volume_ = std::min(least_volume_, smallest_lane(least));
 }
@@ -144,6 +197,7 @@ void CornerForces::add_solid(const CellBatches::Range &range,
                              dealii::AlignedVector<double> &force)
 {
   const std::size_t n_cells = space_->n_cells();
+  LaneExtremes extremes;
   Lane rate(0.), least(std::numeric_limits<double>::max());
   for (unsigned int batch = range.begin; batch < range.end; ++batch)
   {
@@ -163,10 +217,17 @@ void CornerForces::add_solid(const CellBatches::Range &range,
           force);
     rate = std::max(rate, element.signal_rate);
     least = std::min(least, element.dilatation);
+    if (keeps_extremes_)
+    {
+      extremes.add_pressure(element.pressure);
+      extremes.add_strain(element.strain);
+    }
     if (viscoelastic && keeps_forces_)
       for (unsigned int k = 0; k < 6; ++k)
         element.relaxed[k].scatter(cells, &state.relaxed[k * n_cells]);
   }
+  if (keeps_extremes_)
+    extremes_[range.region].include(extremes.over_lanes());
   signal_rate_ = std::max(signal_rate_, largest_lane(rate));
   least_volume_ = std::min(least_volume_, 1. + smallest_lane(least));
 }
@@ -194,6 +255,9 @@ void CornerForces::compute(AleState &state,
 {
   signal_rate_ = 0.;
   least_volume_ = std::numeric_limits<double>::max();
+  keeps_extremes_ = !(step > 0.);
+  if (keeps_extremes_)
+    extremes_.assign(regions_.size(), RegionExtremes());
   for (const CellBatches::Range &range : batches_.ranges())
   {
     keeps_forces_ = step > 0. || uses_energy(range.region);
@@ -301,18 +365,17 @@ CellValues CornerForces::solid_values(const AleState &state,
       displacement[i][d] -= undeformed[i][d];
   const Matrix3<double> h =
     mean_gradient(hex_geometry(to_modes(undeformed)), to_modes(displacement));
+  const Region &region = regions_[space_->region(cell)];
   const auto strain =
-    solid_strain<SolidKinematics::finite_rotation>(h, cofactor(h));
+    region.kinematics == SolidKinematics::small_strain
+      ? solid_strain<SolidKinematics::small_strain>(h, cofactor(h))
+      : solid_strain<SolidKinematics::finite_rotation>(h, cofactor(h));
   dealii::SymmetricTensor<2, 3> green;
   for (unsigned int k = 0; k < 6; ++k)
     green[k % 3][k < 3 ? k : (k + 1) % 3] = strain.total[k];
   const auto principal = dealii::eigenvalues(green);
-  const Region &region = regions_[space_->region(cell)];
   CellValues values;
-  values.pressure =
-    -region.solid()->bulk_modulus *
-    (region.kinematics == SolidKinematics::small_strain ? dealii::trace(green)
-                                                        : strain.dilatation);
+  values.pressure = -region.solid()->bulk_modulus * strain.dilatation;
   values.shear_strain = principal[0] - principal[2];
   values.principal_strain = principal[0];
   return values;

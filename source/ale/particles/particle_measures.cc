@@ -2,10 +2,12 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/ale/particles/particle_measures.h>
+#include <contrecoup/materials/principal_difference.h>
+#include <contrecoup/materials/solid_law.h>
+#include <contrecoup/mpm/particle_lanes.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace contrecoup::ale
 {
@@ -13,29 +15,18 @@ namespace
 {
   namespace column = mpm::column;
 
-  /// Measures of a material. Extreme values: minus pressure, pressure, shear
-  /// strain, squared speed, plastic strain, plastic work. Sums: mass,
-  /// momentum, void, kinetic energy, plastic work.
-  struct MaterialExtrema
+  /// Of metals the largest plastic strain and work. Sums: mass, momentum,
+  /// kinetic energy, plastic work.
+  struct MaterialSums
   {
-    std::vector<double> largest{-std::numeric_limits<double>::max(),
-                                -std::numeric_limits<double>::max(),
-                                0.,
-                                0.,
-                                0.,
-                                0.};
-    std::vector<double> sums = std::vector<double>(7, 0.);
+    std::vector<double> largest = std::vector<double>(2, 0.);
+    std::vector<double> sums = std::vector<double>(6, 0.);
   };
 
-  void add_particle(const mpm::ParticleMaterial &material,
-                    const mpm::ParticleBlock &block,
+  void add_particle(const mpm::ParticleBlock &block,
                     const std::size_t p,
-                    MaterialExtrema &found)
+                    MaterialSums &found)
   {
-    const auto values = mpm::particle_values(material, block, p);
-    found.largest[0] = std::max(found.largest[0], -values.pressure);
-    found.largest[1] = std::max(found.largest[1], values.pressure);
-    found.largest[2] = std::max(found.largest[2], values.shear_strain);
     const double mass = block[column::mass][p];
     double square = 0.;
     for (unsigned int d = 0; d < 3; ++d)
@@ -44,60 +35,124 @@ namespace
       square += velocity * velocity;
       found.sums[1 + d] += mass * velocity;
     }
-    found.largest[3] = std::max(found.largest[3], square);
     found.sums[0] += mass;
-    if (const Tait *const liquid = std::get_if<Tait>(&material.law))
-      found.sums[4] +=
-        liquid->void_fraction(values.density) * mass / values.density;
-    found.sums[5] += 0.5 * mass * square;
+    found.sums[4] += 0.5 * mass * square;
     const double work = block[column::plastic_work][p];
-    found.largest[4] =
-      std::max(found.largest[4], block[column::plastic_strain][p]);
-    found.largest[5] = std::max(found.largest[5], work);
-    found.sums[6] += block[column::volume][p] * work;
+    found.largest[0] =
+      std::max(found.largest[0], block[column::plastic_strain][p]);
+    found.largest[1] = std::max(found.largest[1], work);
+    found.sums[5] += block[column::volume][p] * work;
+  }
+
+  /// Largest shear strain of solid particles, if it is above @p least.
+  double largest_shear_strain(const mpm::ParticleBlock &block,
+                              const double least)
+  {
+    constexpr unsigned int width = n_lanes<double>;
+    double square = least * least;
+    for (std::size_t p = 0; p < block.size(); p += width)
+    {
+      const auto strain =
+        green_strain<true>(mpm::load_matrix(block, column::gradient, p));
+      if (!any_less(mpm::Lane(square), square_difference_bound(strain)))
+        continue;
+      const mpm::Lane difference = principal_difference(strain);
+      // Lanes beyond the last particle are none.
+      for (std::size_t lane = 0; lane < width && p + lane < block.size();
+           ++lane)
+        square = std::max(square, difference[lane] * difference[lane]);
+    }
+    return std::sqrt(square);
+  }
+
+  /// Largest speed and void volume of particles of a liquid.
+  void add_liquid(const Tait &liquid,
+                  const mpm::ParticleBlock &block,
+                  RegionExtremes &found)
+  {
+    double square = 0.;
+    for (std::size_t p = 0; p < block.size(); ++p)
+    {
+      square = std::max(
+        square, mpm::vector_of(block, column::velocity, p).norm_square());
+      const double density =
+        liquid.density() / (1. + block[column::dilatation][p]);
+      found.void_volume +=
+        liquid.void_fraction(density) * block[column::mass][p] / density;
+    }
+    found.speed = std::max(found.speed, std::sqrt(square));
   }
 } // namespace
+
+
+std::vector<RegionExtremes>
+particle_extremes(const std::vector<mpm::ParticleMaterial> &materials,
+                  const mpm::Particles &particles)
+{
+  std::vector<RegionExtremes> extremes(materials.size());
+  particles.for_each_block(
+    [&](const unsigned int m, const mpm::ParticleBlock &block) {
+      RegionExtremes &found = extremes[m];
+      const double *const pressure =
+        block[materials[m].is_smoothed ? column::smoothed : column::pressure];
+      for (std::size_t p = 0; p < block.size(); ++p)
+      {
+        found.least_pressure = std::min(found.least_pressure, pressure[p]);
+        found.largest_pressure = std::max(found.largest_pressure, pressure[p]);
+      }
+      if (const Tait *const liquid = std::get_if<Tait>(&materials[m].law))
+        add_liquid(*liquid, block, found);
+      else
+        found.shear_strain = std::max(
+          found.shear_strain, largest_shear_strain(block, found.shear_strain));
+    });
+  return extremes;
+}
 
 
 std::vector<NamedValue>
 particle_measures(const std::vector<mpm::ParticleMaterial> &materials,
                   const mpm::Particles &particles,
+                  const std::vector<RegionExtremes> &extremes,
                   const MPI_Comm communicator)
 {
-  std::vector<MaterialExtrema> extrema(materials.size());
+  std::vector<MaterialSums> found(materials.size());
   particles.for_each_block(
     [&](const unsigned int m, const mpm::ParticleBlock &block) {
       for (std::size_t p = 0; p < block.size(); ++p)
-        add_particle(materials[m], block, p, extrema[m]);
+        add_particle(block, p, found[m]);
     });
   std::vector<NamedValue> result;
   for (std::size_t m = 0; m < materials.size(); ++m)
   {
-    auto &largest = extrema[m].largest;
-    auto &sums = extrema[m].sums;
+    auto &largest = found[m].largest;
+    auto &sums = found[m].sums;
     dealii::Utilities::MPI::max(largest, communicator, largest);
     dealii::Utilities::MPI::sum(sums, communicator, sums);
     const std::string name = "_" + materials[m].name;
-    result.push_back({"least_pressure" + name, "Pa", -largest[0]});
-    result.push_back({"largest_pressure" + name, "Pa", largest[1]});
-    result.push_back({"kinetic_energy" + name, "J", sums[5]});
+    result.push_back(
+      {"least_pressure" + name, "Pa", extremes[m].least_pressure});
+    result.push_back(
+      {"largest_pressure" + name, "Pa", extremes[m].largest_pressure});
+    result.push_back({"kinetic_energy" + name, "J", sums[4]});
     if (materials[m].solid() == nullptr)
     {
-      result.push_back({"largest_speed" + name, "m/s", std::sqrt(largest[3])});
-      result.push_back({"void_volume" + name, "m^3", sums[4]});
+      result.push_back({"largest_speed" + name, "m/s", extremes[m].speed});
+      result.push_back({"void_volume" + name, "m^3", extremes[m].void_volume});
       continue;
     }
-    result.push_back({"largest_shear_strain" + name, "-", largest[2]});
+    result.push_back(
+      {"largest_shear_strain" + name, "-", extremes[m].shear_strain});
     for (unsigned int d = 0; d < 3; ++d)
       result.push_back({std::string("velocity_") + "xyz"[d] + name,
                         "m/s",
                         sums[d + 1] / sums[0]});
     if (const auto &metal = materials[m].plasticity)
     {
-      result.push_back({"largest_plastic_strain" + name, "-", largest[4]});
-      result.push_back({"plastic_work" + name, "J", sums[6]});
+      result.push_back({"largest_plastic_strain" + name, "-", largest[0]});
+      result.push_back({"plastic_work" + name, "J", sums[5]});
       result.push_back(
-        {"largest_temperature" + name, "K", metal->temperature(largest[5])});
+        {"largest_temperature" + name, "K", metal->temperature(largest[1])});
     }
   }
   return result;

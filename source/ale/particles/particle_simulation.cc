@@ -95,6 +95,7 @@ void ParticleSimulation::build_grid()
     return mpm::tile_weight(scene_.box(), scene_.source(), lower);
   });
   particles_ = mpm::Particles(scene_.materials().size());
+  extremes_.reinit(scene_.materials().size(), communicator_);
   step_ = std::make_unique<mpm::ParticleStep>(
     scene_.scheme(), scene_.materials(), scene_.field_contact());
   contact_ = mpm::WallContact(scene_.walls());
@@ -150,7 +151,6 @@ void ParticleSimulation::setup()
     });
   mpi::sum(counts, communicator_, counts);
   regions_.require_some(counts, "particle");
-  least_pressures_.assign(scene_.materials().size(), 0.);
   step_->start(grid_, particles_);
   const auto totals = step_->totals(grid_, particles_);
   initial_energy_ = totals.kinetic_energy + totals.internal_energy;
@@ -184,6 +184,7 @@ StepReport ParticleSimulation::advance(const double largest_step)
   record_contact(report.step_size);
   reference_.follow(scene_.materials(), particles_, time_, communicator_);
   head_.follow(scene_.materials(), time_, communicator_, particles_);
+  extremes_.add(particle_extremes(scene_.materials(), particles_));
   return report;
 }
 
@@ -306,18 +307,11 @@ std::vector<NamedValue> ParticleSimulation::history()
                    {"friction_work", "J", contact_now_.friction_work}});
   for (NamedValue &value : reference_.history(particles_, communicator_))
     values.push_back(std::move(value));
-  std::size_t region = 0;
-  for (NamedValue &measure :
-       particle_measures(scene_.materials(), particles_, communicator_))
-  {
-    if (measure.name.rfind("least_pressure_", 0) == 0)
-    {
-      least_pressures_[region] =
-        std::min(least_pressures_[region], measure.value);
-      ++region;
-    }
+  if (extremes_.is_empty())
+    extremes_.add(particle_extremes(scene_.materials(), particles_));
+  for (NamedValue &measure : particle_measures(
+         scene_.materials(), particles_, extremes_.take(), communicator_))
     values.push_back(std::move(measure));
-  }
   set_to_whole(values, mesh_.computed_fraction(), mesh_.symmetry_planes());
   return values;
 }
@@ -381,7 +375,9 @@ std::vector<NamedValue> ParticleSimulation::results()
 void ParticleSimulation::finish(const std::string &folder)
 {
   head_.write(folder, communicator_);
-  for (const std::string &line : answer_lines(results(), !planes_.empty()))
+  const std::string pressures = head_.pressures_in_words(scene_.materials());
+  for (const std::string &line :
+       answer_lines(results(), !planes_.empty(), pressures))
     show_line(line);
 }
 

@@ -72,7 +72,7 @@ void ParticleSimulation::save(const std::string &folder)
     particles_.for_each_block(
       [&](unsigned int, const mpm::ParticleBlock &) { ++header.n_blocks; });
     io::write_binary(out, header);
-    io::put_list(out, least_pressures_);
+    extremes_.save(out);
     io::put_list(out, reference_.peaks());
     for (const auto &[tile, blocks] : particles_.tiles())
       for (unsigned int m = 0; m < blocks.size(); ++m)
@@ -99,7 +99,7 @@ void ParticleSimulation::restore_file(const std::string &file)
   if (!in || header.n_materials != scene_.materials().size() ||
       header.cell_size != scene_.cell_size())
     throw InputError("Checkpoint file " + file + " is of another scene");
-  io::take_list(in, file, least_pressures_);
+  extremes_.restore(in, file);
   Peaks peaks;
   io::take_list(in, file, peaks);
   // Each file has the peaks of all ranks; keep the largest.

@@ -201,7 +201,7 @@ void AleSimulation::build()
   lagrange_.mirror(state_.wedge);
   state_.position = space_.positions(node_width);
   regions_.fill(space_, state_);
-  least_pressures_.assign(regions_.regions().size(), 0.);
+  extremes_.reinit(regions_.regions().size(), communicator_);
   rezone_.reinit(space_, state_, regions_.regions(), mesh_description_.walls());
   head_.reinit(space_, lagrange_, state_);
   find_probe_cells();
@@ -306,6 +306,17 @@ bool AleSimulation::adapt()
   const TimerScope timer("rezone");
   const bool is_rezoned = rezone_.apply(state_, lagrange_.walls());
   is_as_left_ = is_as_left_ && !is_rezoned;
+  std::vector<RegionExtremes> extremes = lagrange_.extremes();
+  if (!is_as_left_)
+  {
+    // Neither smoothing nor heat changes the pressures of solids.
+    const auto found =
+      region_extremes(space_, lagrange_, state_, regions_.regions(), false);
+    for (std::size_t i = 0; i < found.size(); ++i)
+      if (regions_.regions()[i].solid() == nullptr)
+        extremes[i] = found[i];
+  }
+  extremes_.add(std::move(extremes));
   return is_rezoned;
 }
 
@@ -354,18 +365,12 @@ std::vector<NamedValue> AleSimulation::history()
       values.end(),
       {{"slip_work", "J", lagrange_.slip_work()},
        {"largest_slip_speed", "m/s", lagrange_.largest_slip_speed(state_)}});
-  std::size_t region = 0;
+  if (extremes_.is_empty())
+    extremes_.add(
+      region_extremes(space_, lagrange_, state_, regions_.regions()));
   for (NamedValue &measure :
-       region_measures(space_, lagrange_, state_, regions_.regions()))
-  {
-    if (measure.name.rfind("least_pressure_", 0) == 0)
-    {
-      least_pressures_[region] =
-        std::min(least_pressures_[region], measure.value);
-      ++region;
-    }
+       region_measures(space_, state_, regions_.regions(), extremes_.take()))
     values.push_back(std::move(measure));
-  }
   set_to_whole(values,
                mesh_description_.computed_fraction(),
                mesh_description_.symmetry_planes());
@@ -443,7 +448,8 @@ std::vector<NamedValue> AleSimulation::checks()
 void AleSimulation::finish(const std::string &folder)
 {
   head_.write(folder, communicator_);
-  for (const std::string &line : answer_lines(results(), !planes_.empty()))
+  for (const std::string &line : answer_lines(
+         results(), !planes_.empty(), head_.pressures_in_words(true)))
     show_line(line);
 }
 

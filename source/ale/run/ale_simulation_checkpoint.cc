@@ -9,7 +9,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <filesystem>
-#include <fstream>
+#include <sstream>
 #include <unordered_map>
 
 namespace contrecoup::ale
@@ -89,8 +89,7 @@ void AleSimulation::save(const std::string &folder)
                                   contact,
                                   contact_,
                                   initial_kinetic_energy_});
-    for (const double pressure : least_pressures_)
-      write_binary(out, pressure);
+    extremes_.save(out);
     for (const auto &peak : reference_.peaks())
       write_binary(out, peak);
     for (std::size_t n = 0; n < space_.n_locally_owned_nodes(); ++n)
@@ -125,10 +124,11 @@ void AleSimulation::save(const std::string &folder)
 }
 
 
-void AleSimulation::restore_peaks(std::istream &in, const std::size_t n_peaks)
+void AleSimulation::restore_peaks(std::istream &in,
+                                  const std::string &file,
+                                  const std::size_t n_peaks)
 {
-  for (double &pressure : least_pressures_)
-    read_binary(in, pressure);
+  extremes_.restore(in, file);
   auto &peaks = reference_.peaks();
   peaks.resize(n_peaks, {{0., 0.}});
   for (std::size_t i = 0; i < n_peaks; ++i)
@@ -179,12 +179,12 @@ void AleSimulation::restore(const std::string &folder)
        std::filesystem::exists(file = file_of(folder, rank));
        ++rank)
   {
-    std::ifstream in(file, std::ios::binary);
+    std::istringstream in(io::read_file(file));
     read_binary(in, header);
     if (!in || header.n_global_nodes != n_nodes_ ||
         header.n_global_cells != n_cells_)
       throw InputError("Checkpoint file " + file + " belongs to another mesh");
-    restore_peaks(in, header.n_peaks);
+    restore_peaks(in, file, header.n_peaks);
     for (std::uint64_t i = 0; i < header.n_nodes; ++i)
     {
       NodeRecord record;

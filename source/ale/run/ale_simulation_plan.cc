@@ -82,7 +82,7 @@ std::vector<Assumption> AleSimulation::plan()
 std::vector<Assumption> AleSimulation::audit()
 {
   const ContactMeasures contact = lagrange_.contact();
-  return impact_plan().audit({least_pressures_,
+  return impact_plan().audit({extremes_.least_pressures(),
                               contact_.end,
                               contact.friction_work,
                               contact.sliding_work,

@@ -14,6 +14,8 @@ namespace contrecoup::ale
 /// contact, pressures in the brain, strain and criterion.
 /// @param results of the run, as in the summary
 /// @param has_planes whether there are rigid planes
+/// @param pressures which ones of the brain are meant, in words
 std::vector<std::string> answer_lines(const std::vector<NamedValue> &results,
-                                      const bool has_planes);
+                                      const bool has_planes,
+                                      const std::string &pressures);
 } // namespace contrecoup::ale

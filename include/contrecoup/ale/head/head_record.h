@@ -65,6 +65,10 @@ public:
   /// brain or plane. Collective.
   std::vector<NamedValue> coup(const MPI_Comm communicator) const;
 
+  /// Which pressures of the brain are recorded, as "of single cells".
+  /// @param is_smoothed whether averages differ from the pressures themselves
+  std::string pressures_in_words(const bool is_smoothed) const;
+
   /// Writes injury.csv into the output folder, if active(). Collective.
   void write(const std::string &folder, const MPI_Comm communicator) const;
 

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <contrecoup/ale/lagrange/region_extremes.h>
 #include <contrecoup/ale/mesh/ale_state.h>
 #include <contrecoup/ale/mesh/cell_batches.h>
 #include <contrecoup/ale/mesh/region.h>
@@ -46,6 +47,13 @@ public:
   bool has_volumes() const
   {
     return least_volume_ > 0.;
+  }
+
+  /// Extremes of the regions in owned cells, of the last compute() with a step
+  /// of 0.
+  const std::vector<RegionExtremes> &extremes() const
+  {
+    return extremes_;
   }
 
   /// Inverse of the stable step of this rank's cells [1/s].
@@ -115,6 +123,8 @@ private:
   dealii::AlignedVector<double> undeformed_; ///< positions of the nodes [m]
   dealii::AlignedVector<Lane> forces_;       ///< 24 per batch [N]
   bool keeps_forces_ = true;
+  bool keeps_extremes_ = true;
+  std::vector<RegionExtremes> extremes_;
   double signal_rate_ = 0.; ///< largest of this rank [1/s]
   /// Of this rank; fluids: volume [m^3], solids: volume ratio [-].
   double least_volume_ = 0.;

@@ -122,6 +122,12 @@ public:
     return coupling_;
   }
 
+  /// Extremes of the regions in cells of this rank after the last step.
+  const std::vector<RegionExtremes> &extremes() const
+  {
+    return forces_.extremes();
+  }
+
   /// Totals of mass, momentum and energy. Collective.
   AleTotals totals(const AleState &state) const;
 

@@ -28,6 +28,14 @@ public:
   /// find(). Collective.
   void reinit(const mpm::Particles &particles, const MPI_Comm communicator);
 
+  /// As the function of HeadRecord.
+  std::string
+  pressures_in_words(const std::vector<mpm::ParticleMaterial> &materials) const
+  {
+    return HeadRecord::pressures_in_words(brain_ != none &&
+                                          materials[brain_].is_smoothed);
+  }
+
   /// Takes the peaks from the particles, after restore().
   void resume(const mpm::Particles &particles);
 

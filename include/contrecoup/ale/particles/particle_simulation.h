@@ -5,6 +5,7 @@
 
 #include <contrecoup/ale/head/impact_plan.h>
 #include <contrecoup/ale/lagrange/contact_record.h>
+#include <contrecoup/ale/lagrange/region_extremes.h>
 #include <contrecoup/ale/particles/particle_head.h>
 #include <contrecoup/ale/particles/particle_reference.h>
 #include <contrecoup/ale/particles/particle_scene.h>
@@ -124,7 +125,6 @@ private:
   double time_ = 0.;
   double initial_energy_ = 0.;
   LargestEnergies largest_;
-  /// Minimum over the history rows so far, by region [Pa].
-  std::vector<double> least_pressures_;
+  ExtremeRecord extremes_; ///< of the materials
 };
 } // namespace contrecoup::ale

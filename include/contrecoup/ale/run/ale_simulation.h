@@ -81,7 +81,9 @@ private:
   ImpactPlan impact_plan() const;
   /// Finds motion across symmetry planes, and further usable symmetry.
   void find_symmetry(ImpactPlan &plan) const;
-  void restore_peaks(std::istream &in, const std::size_t n_peaks);
+  void restore_peaks(std::istream &in,
+                     const std::string &file,
+                     const std::size_t n_peaks);
   /// @param cells local cell by global cell number
   void
   restore_cells(std::istream &in,
@@ -113,9 +115,8 @@ private:
   double initial_energy_ = 0.;
   double energy_scale_ = 0.;
   double initial_kinetic_energy_ = 0.;
-  /// Minimum over the history rows so far, by region [Pa].
-  std::vector<double> least_pressures_;
-  double last_step_ = 0.; ///< 0: before the first step [s]
+  ExtremeRecord extremes_; ///< of the regions
+  double last_step_ = 0.;  ///< 0: before the first step [s]
   /// Whether state_ is unchanged since the last step.
   bool is_as_left_ = false;
   /// Cell of each probe on the rank that owns the cell, elsewhere no_cell.

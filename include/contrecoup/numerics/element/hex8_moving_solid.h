@@ -38,9 +38,10 @@ struct MovingSolid
   /// its end.
   Symmetric3<Number> relaxed;
 
-  Number dilatation;  ///< volume ratio minus 1 [-]
-  Number pressure;    ///< without bulk viscosity [Pa]
-  Number signal_rate; ///< inverse of the stable step [1/s]
+  Symmetric3<Number> strain; ///< in the undeformed body [-]
+  Number dilatation;         ///< volume ratio minus 1 [-]
+  Number pressure;           ///< without bulk viscosity [Pa]
+  Number signal_rate;        ///< inverse of the stable step [1/s]
 };
 
 /// Rate of the volume ratio [1/s].
@@ -124,6 +125,7 @@ moving_solid_forces(const MovingSolidModel<Number> &model,
   const auto resistance = hourglass_resistance(
     model, g, hourglass_modes(g, u, h), hourglass_modes(g, v, rate));
 
+  element.strain = strain.total;
   element.dilatation = strain.dilatation;
   element.pressure = Number() - elastic;
   element.signal_rate = (Number(model.sound_speed) +
