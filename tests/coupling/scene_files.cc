@@ -77,6 +77,19 @@ values_of(const std::vector<Assignment> &entries)
 }
 
 
+/// From a place to the nearest ball of a limit of adaptation; negative: within.
+double distance_to_balls(const Point<3> &place,
+                         const std::vector<Assignment> &entries,
+                         const std::string &limit)
+{
+  double least = 1e9;
+  for (const std::string &center :
+       split(values_of(entries).at("Adaptation/" + limit + "/Center"), ';'))
+    least = std::min(least, place.distance(point_of(center).value()));
+  return least - number(entries, limit, "Radius");
+}
+
+
 /// The body of that box, without landmarks.
 ShapeBody standing_body()
 {
@@ -174,6 +187,26 @@ TEST(SceneFiles, LeavesGetCoarserAfterTheGroundsReflectionHasPassed)
 }
 
 
+// Its cells make no difference between the run and the tables beside the body.
+TEST(SceneFiles, KeepFrontsFineAtTheProbeBesideTheBody)
+{
+  for (const Point<3> &charge :
+       {Point<3>(2.5, 0., 1.27), Point<3>(0., -2., 0.5)})
+  {
+    SceneParameters scene = scene_with(2.337, 1.27);
+    scene.place = charge;
+    const SceneLayout layout(scene, standing_box());
+    ASSERT_TRUE(layout.probe);
+    const auto entries = blast_entries(scene, layout, 78.5);
+    for (const char *limit : {"Limit not at the body", "Limit far away"})
+      EXPECT_LE(distance_to_balls(*layout.probe, entries, limit), -0.6 + 1e-9)
+        << limit;
+    EXPECT_GE(number(entries, "Limit later", "From time"),
+              layout.arrival + layout.positive_phase);
+  }
+}
+
+
 // Behind the charge fronts are then as fine as at the body, until they have
 // passed.
 TEST(SceneFiles, KeepFrontsFineAtGaugesOfTheUser)
@@ -186,19 +219,11 @@ TEST(SceneFiles, KeepFrontsFineAtGaugesOfTheUser)
   const Point<3> far(9., 1., 1.5);
   const auto usual = entries_for({}),
              with = entries_for({{Point<3>(3., -1., 1.5), far}});
-  const auto distance_to_balls = [&](const std::vector<Assignment> &entries,
-                                     const std::string &limit) {
-    double least = 1e9;
-    for (const std::string &place :
-         split(values_of(entries).at("Adaptation/" + limit + "/Center"), ';'))
-      least = std::min(least, far.distance(point_of(place).value()));
-    return least - number(entries, limit, "Radius");
-  };
   for (const char *limit :
        {"Limit not at the body", "Limit far away", "Limit gone"})
   {
-    EXPECT_GT(distance_to_balls(usual, limit), 0.) << limit;
-    EXPECT_LT(distance_to_balls(with, limit), 0.) << limit;
+    EXPECT_GT(distance_to_balls(far, usual, limit), 0.) << limit;
+    EXPECT_LT(distance_to_balls(far, with, limit), 0.) << limit;
   }
   const double arrival =
     SceneLayout(scene, standing_box())

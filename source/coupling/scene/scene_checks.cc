@@ -278,8 +278,7 @@ std::string gauge_cells_warning(const PlannedScene &scene,
     std::stoul(blast.values.at("Adaptation/Largest level")));
   double fewest = parameters.accuracy.cells_per_phase;
   std::string words;
-  // What the scene's own probe lacks is told beside the tables.
-  for (const GaugeRaster &gauge : parameters.gauges)
+  for (const GaugeRaster &gauge : layout.gauges(parameters))
     for (const Point<3> &place : gauge.places(spacing))
     {
       const double distance = place.distance(layout.charge);

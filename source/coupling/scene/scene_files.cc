@@ -235,28 +235,34 @@ namespace
   constexpr double spacing = 0.6, fine_radius = 0.7;
 
   /// Centres of the balls in which fronts are as fine as at the body: around
-  /// body and gauges, unless these need so many that each leaf would take long.
+  /// body, probe and gauges of the user, unless these need so many that each
+  /// leaf would take long.
   std::vector<Point<3>> fine_places(const SceneParameters &scene,
                                     const SceneLayout &layout)
   {
     constexpr std::size_t most = 400;
-    const std::vector<Point<3>> at_body = balls_near(layout, spacing);
-    std::vector<Point<3>> places = at_body;
+    std::vector<Point<3>> places = balls_near(layout, spacing);
+    if (layout.probe)
+      places.push_back(*layout.probe);
+    const std::size_t n_own = places.size();
     for (const GaugeRaster &gauge : scene.gauges)
     {
       const auto more = gauge.places(spacing);
       places.insert(places.end(), more.begin(), more.end());
     }
-    return places.size() > most ? at_body : places;
+    if (places.size() > most)
+      places.resize(n_own);
+    return places;
   }
 
 
   /// Radius about @p center that holds all gauges, at least @p radius [m].
   double radius_with_gauges(const SceneParameters &scene,
+                            const SceneLayout &layout,
                             const Point<3> &center,
                             double radius)
   {
-    for (const GaugeRaster &gauge : scene.gauges)
+    for (const GaugeRaster &gauge : layout.gauges(scene))
       radius =
         std::max(radius, farthest_distance(gauge.box(), center) + spacing);
     return radius;
@@ -290,13 +296,14 @@ namespace
     // Fronts that have passed the body, the ground reflection included, do not
     // return.
     const Point<3> center = layout.body.center();
-    set_limit("gone",
-              0U,
-              "outside of ball",
-              {center},
-              radius_with_gauges(
-                scene, center, 0.5 * diagonal(layout.body) + SceneLayout::leaf),
-              entries);
+    set_limit(
+      "gone",
+      0U,
+      "outside of ball",
+      {center},
+      radius_with_gauges(
+        scene, layout, center, 0.5 * diagonal(layout.body) + SceneLayout::leaf),
+      entries);
     entries.set("Adaptation/Limit gone/From time", later);
   }
 
@@ -329,14 +336,12 @@ namespace
               {layout.charge},
               layout.fireball_radius(scene),
               entries);
-    double near = 0.5 * layout.distance + spacing;
-    if (layout.probe && layout.probe->distance(middle) > near)
-      near = layout.probe->distance(middle) + spacing;
     set_limit("far away",
               below(2),
               "outside of ball",
               {middle},
-              radius_with_gauges(scene, middle, near),
+              radius_with_gauges(
+                scene, layout, middle, 0.5 * layout.distance + spacing),
               entries);
     set_later_adaptation(scene, layout, entries);
   }

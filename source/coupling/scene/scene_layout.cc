@@ -83,7 +83,7 @@ SceneLayout::SceneLayout(const SceneParameters &scene,
   const Point<3> image(charge[0], charge[1], -charge[2]);
   last_arrival = blast.arrival(farthest_distance(body, image));
   const IncidentWave wave = incident_wave(scene);
-  for (const GaugeRaster &gauge : scene.gauges)
+  for (const GaugeRaster &gauge : gauges(scene))
   {
     const double way = farthest_distance(gauge.box(), charge);
     last_arrival = std::max(last_arrival,
@@ -313,6 +313,15 @@ void SceneLayout::place_probe(const dealii::BoundingBox<3> &domain)
                        domain.upper_bound(2) - place[2] >= least;
   if (is_free)
     probe = place;
+}
+
+
+std::vector<GaugeRaster> SceneLayout::gauges(const SceneParameters &scene) const
+{
+  std::vector<GaugeRaster> all = scene.gauges;
+  if (probe)
+    all.push_back({*probe, *probe, "Probes/Points"});
+  return all;
 }
 
 

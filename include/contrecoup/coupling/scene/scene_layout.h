@@ -82,7 +82,7 @@ struct SceneLayout
   /// see IncidentWave.
   double arrival, overpressure;
   /// Time when the ground reflection has passed the body, and the incident wave
-  /// the gauges that the user added [s]
+  /// all gauges() [s]
   double last_arrival;
   /// Positive phase of the incident wave at the body by Kingery and Bulmash,
   /// at the nearest distance that they cover [s]
@@ -104,6 +104,9 @@ struct SceneLayout
   /// What is known beforehand of the charge's wave, on the ground or in free
   /// air.
   IncidentWave incident_wave(const SceneParameters &scene) const;
+
+  /// Where the wave in the air is asked for: by the user, and at the probe.
+  std::vector<GaugeRaster> gauges(const SceneParameters &scene) const;
 
   /// Distance from the charge to the nearest of the body and the open sides
   /// [m].
