@@ -12,6 +12,7 @@
 #include <deal.II/base/exceptions.h>
 
 #include <cstdlib>
+#include <iostream>
 
 namespace contrecoup
 {
@@ -151,6 +152,7 @@ namespace io
     dealii::deal_II_exceptions::disable_abort_on_exception();
     dealii::deal_II_exceptions::suppress_stacktrace_in_exceptions();
 
+    const SignalGuard before_mpi;
     const std::vector<std::string> arguments(argv, argv + argc);
     // Without mpirun, a singleton needs no daemon; only processes that spawn
     // further ranks do.
@@ -161,11 +163,21 @@ namespace io
     if (initialised == 0)
       mpi = std::make_unique<dealii::Utilities::MPI::MPI_InitFinalize>(
         argc, argv, 1);
+    const bool is_first =
+      dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
+    if (const int signal = dealii::Utilities::MPI::max(
+          SignalGuard::stop_signal(), MPI_COMM_WORLD))
+    {
+      const Stopped stop(signal);
+      if (is_first)
+        std::cout << stop.what() << " before the start" << std::endl;
+      return static_cast<int>(
+        to_failure(std::make_exception_ptr(stop), ExitCode::system_failed)
+          .code);
+    }
+    // MPI takes SIGTERM back.
     const SignalGuard signals;
-    return run_each(arguments,
-                    work,
-                    dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) ==
-                      0);
+    return run_each(arguments, work, is_first);
   }
 
   int run_application(int argc,

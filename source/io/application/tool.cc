@@ -70,11 +70,11 @@ namespace io
 
   int run_tool(const int argc, char **argv, const ToolDescription &description)
   {
+    const SignalGuard signals;
     if (is_surplus_rank())
       return 0;
     dealii::deal_II_exceptions::disable_abort_on_exception();
     dealii::deal_II_exceptions::suppress_stacktrace_in_exceptions();
-    const SignalGuard signals;
     return run_each(
       std::vector<std::string>(argv, argv + argc),
       [&](const std::vector<std::string> &arguments) {

@@ -155,7 +155,14 @@ namespace io
         std::cout << file << ":" << std::endl;
       const Failure failure = work(command);
       if (is_stop(failure))
+      {
+        // Runs say where they were stopped.
+        if (writes_output &&
+            std::find(command.begin(), command.end(), "--check") !=
+              command.end())
+          std::cout << failure.message << std::endl;
         return static_cast<int>(failure.code);
+      }
       code = std::max(code, static_cast<int>(failure.code));
       if (!writes_output || failure.code == ExitCode::done)
         continue;
