@@ -72,6 +72,15 @@ namespace
                         "Time/End time"});
     return result;
   }
+
+
+  bool is_of_air(const Assumption &item)
+  {
+    const std::vector<Assumption> all = omitted_physics(true);
+    return std::any_of(all.begin(), all.end(), [&](const Assumption &other) {
+      return other.name == item.name;
+    });
+  }
 } // namespace
 
 
@@ -115,7 +124,7 @@ std::vector<Assumption> ModellingPlan<dim>::items() const
                       end_time,
                       true,
                       "Domain/Size"});
-  if (is_air())
+  if (is_air() || surrounds_explosives)
     for (const Assumption &item : omitted_physics(!probes.empty()))
       result.push_back(item);
   if (skips_quiet_leaves)
@@ -245,7 +254,9 @@ std::vector<Assumption> ModellingPlan<dim>::plan() const
     farthest = std::max(farthest, probe.distance(centre));
   }
   for (Assumption &item : result)
-    if (item.name == "viscosity")
+    if (is_of_air(item) && !is_air())
+      item.value = unknown;
+    else if (item.name == "viscosity")
       item.value = diffusion_length(diffusivity, end_time) / smallest_subcell;
     else if (item.name == "heat_conduction")
       item.value =
@@ -298,7 +309,9 @@ ModellingPlan<dim>::audit(const Measurements &measured) const
       weakest = std::min(weakest, peak);
   }
   for (Assumption &item : result)
-    if (item.name == "viscosity")
+    if (is_of_air(item) && !is_air())
+      item.value = unknown;
+    else if (item.name == "viscosity")
       item.value = diffusion_length(diffusivity, measured.time) /
                    measured.smallest_subcell;
     else if (item.name == "heat_conduction")

@@ -119,6 +119,7 @@ std::vector<Assumption> RunPlan<dim>::plan(const Recorders<dim> &recorders)
   plan_.is_spherical = dim == 3 || mesh.geometry() == Geometry::axisymmetric ||
                        mesh.geometry() == Geometry::spherical;
   plan_.ambient = scene.ambient();
+  plan_.surrounds_explosives = scene.material.has_products();
   plan_.lower = mesh.lower_corner();
   plan_.upper = mesh.upper_corner();
   plan_.open_sides.clear();

@@ -179,6 +179,17 @@ TEST(ModellingPlan, SaysNothingOfUnknownBlastsAndOtherGases)
     EXPECT_TRUE(item.name == "reflection" || item.name == "quiet_leaves");
 }
 
+
+// As that of a pressure in kPa.
+TEST(ModellingPlan, KeepsTheItemsOfUnusualAirAroundExplosives)
+{
+  ModellingPlan<2> plan = quarter();
+  plan.ambient.pressure = 101.325;
+  plan.surrounds_explosives = true;
+  for (const char *name : {"air", "gravity", "viscosity", "heat_conduction"})
+    EXPECT_TRUE(std::isnan(value_of(plan.plan(), name))) << name;
+}
+
 TEST(ModellingPlan, RemembersItsBlast)
 {
   ModellingPlan<2> plan = quarter(), other;

@@ -30,6 +30,9 @@ namespace contrecoup::gas
  *   quiet_leaves      fraction of the updates that is skipped
  *   modelled_part     fraction of the whole that planes of symmetry leave, and
  *                     that sums of the gas are of
+ *
+ * Of gas around explosives that is unlike air at about sea level the items from
+ * air to heat_conduction are unknown; of any other such gas there are none.
  */
 template <int dim>
 class ModellingPlan
@@ -41,7 +44,8 @@ public:
   dealii::Point<dim> centre;
   bool is_spherical = true; ///< whether the blast spreads in three dimensions
   GasState<dim> ambient;
-  dealii::Point<dim> lower, upper; ///< of the domain [m]
+  bool surrounds_explosives = false; ///< whether the ambient gas does
+  dealii::Point<dim> lower, upper;   ///< of the domain [m]
   std::vector<unsigned int> open_sides;
   std::vector<dealii::Point<dim>> probes;
   /// All places that no reflection from open sides may reach: the probes, and
