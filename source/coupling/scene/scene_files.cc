@@ -173,11 +173,15 @@ namespace
 
   void set_explosive(const SceneParameters &scene, Entries &entries)
   {
-    const bool is_custom = !scene.custom_entries.empty();
+    const auto &custom = scene.custom_entries;
     entries.set("Material/Explosive",
-                is_custom ? "custom" : scene.explosive.name,
+                custom.empty()       ? scene.explosive.name
+                : custom.size() == 1 ? custom.front().second
+                                     : "custom",
                 "Charge/Explosive");
-    for (const auto &[entry, value] : scene.custom_entries)
+    if (custom.size() < 2)
+      return;
+    for (const auto &[entry, value] : custom)
       entries.set("Material/Custom explosive/" + entry,
                   value,
                   "Charge/Custom explosive/" + entry);

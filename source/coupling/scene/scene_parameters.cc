@@ -435,7 +435,7 @@ void SceneParameters::parse_explosive(ParameterHandler &prm)
   require_explosive_energy(explosive.jwl, path);
   custom_entries = {{"Like", custom.like}};
   for (const std::string &entry : CustomExplosive::entry_names())
-    if (!prm.get(entry).empty())
+    if (!custom.changes.empty() && !prm.get(entry).empty())
       custom_entries.emplace_back(entry, prm.get(entry));
   for (const CustomExplosive::Change &change : custom.changes)
     changes.push_back({path + "/" + change.entry,

@@ -97,8 +97,9 @@ struct SceneParameters
   /// Whether a coarser run estimates the numerical error
   bool estimates_error = true;
   Explosive explosive; ///< of the library or of the user
-  /// Entries of a custom explosive as the user gave them, without empty ones;
-  /// empty for explosives of the library.
+  /// Entries of a custom explosive as the user gave them, without empty ones,
+  /// "Like" first, and alone where nothing differs from that explosive; empty
+  /// for explosives of the library.
   std::vector<std::pair<std::string, std::string>> custom_entries;
   double mass = 0.;      ///< [kg]
   double afterburn = 0.; ///< energy [J/kg]
