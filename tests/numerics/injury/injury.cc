@@ -186,7 +186,7 @@ TEST(InjuryCurves, OfTheBrainHaveTheirMediansAsThresholds)
 
 TEST(InjuryCriteria, AreToldInWords)
 {
-  const InjuryCriterion &lowest =
+  const InjuryCriterion lowest =
     injury_criterion("injury_intracranial_pressure_lowest");
   EXPECT_EQ(lowest.meaning(-99e3), "none");
   EXPECT_EQ(lowest.meaning(-101e3), "fluid may cavitate");

@@ -17,7 +17,7 @@ namespace contrecoup::coupling
 struct GaugeRaster
 {
   dealii::Point<3> begin, end; ///< opposite corners [m]
-  std::string entry;           ///< of blast, as "Probes/Points"
+  std::string entry = {};      ///< of blast, as "Probes/Points"
   bool is_line = false;        ///< the straight line between the corners
 
   /// The same as a box, without an extent where both corners agree [m].
