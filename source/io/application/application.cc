@@ -11,6 +11,7 @@
 
 #include <deal.II/base/exceptions.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <iostream>
 
@@ -160,6 +161,8 @@ namespace io
     int initialised = 0;
     MPI_Initialized(&initialised);
     std::unique_ptr<dealii::Utilities::MPI::MPI_InitFinalize> mpi;
+    // PETSc, where deal.II has it, warns of options that are not its own.
+    argc = std::min(argc, 1);
     if (initialised == 0)
       mpi = std::make_unique<dealii::Utilities::MPI::MPI_InitFinalize>(
         argc, argv, 1);
