@@ -24,15 +24,20 @@ namespace
 using Lines = std::vector<std::string>;
 
 /// A box as tall as a man, centred on the z axis, with landmarks that face +y.
-ShapeBody box_with_landmarks()
+/// @param ahead how far the ears are before the middle of the trunk [m]
+/// @param thigh where the left one is, above a shin at (0.1, 0, 0.4)
+ShapeBody box_with_landmarks(const double ahead = 0.,
+                             const Point<3> &thigh = Point<3>(0.1, 0., 0.8))
 {
   const auto surface = std::make_shared<RoundedBox>(
     Point<3>(0., 0., 0.9), Point<3>(0.25, 0.15, 0.9), 0.05);
   ShapeBody body(surface, {{{"all", Tissue::soft_tissue}, surface}});
   body.set_landmarks({{"chest", {0.01, 0.15, 1.3}},
                       {"back", {0., -0.15, 1.25}},
-                      {"left ear", {-0.08, 0., 1.65}},
-                      {"right ear", {0.08, 0., 1.65}}});
+                      {"left ear", {-0.08, ahead, 1.65}},
+                      {"right ear", {0.08, ahead, 1.65}},
+                      {"left shin", {0.1, 0., 0.4}},
+                      {"left thigh", thigh}});
   return body;
 }
 
@@ -146,6 +151,25 @@ TEST(Person, OfImagesAndSurfacesIsAsLongAsTheBody)
                   1.8,
                   1e-12)
         << kind << " " << rotation;
+}
+
+
+// A head that is held forward by 12 degrees tilts nobody; who sits has a height
+// instead of a stature, however the trunk leans.
+TEST(Person, OfASurfaceIsAsHighAsTheSurface)
+{
+  dealii::ParameterHandler prm;
+  BodyDescription::declare_parameters(prm);
+  prm.set("Kind", "surface");
+  const Point<3> charge(3., 0., 1.), forward(0.1, 0.5, 0.5);
+  const Person stands(prm, box_with_landmarks(0.08), 58., charge);
+  EXPECT_EQ(stands.description(), "a standing person of 1.8 m and 58 kg");
+  EXPECT_NEAR(stands.axes()->up[2], 1., 1e-12);
+  const Person sits(prm, box_with_landmarks(0.08, forward), 58., charge);
+  EXPECT_EQ(sits.description(), "a seated person of 58 kg, 1.8 m high");
+  const Person leans(prm, box_with_landmarks(0.3, forward), 58., charge);
+  EXPECT_EQ(leans.description(), "an inclined person of 58 kg, 1.8 m high");
+  EXPECT_LT(leans.axes()->up[2], 0.9);
 }
 
 

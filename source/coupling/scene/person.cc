@@ -62,7 +62,8 @@ namespace
   }
 
 
-  /// Axes of phantom and images, which face +x before they are rotated.
+  /// Axes of phantom and images, which face +x before they are rotated; of
+  /// surfaces, those of their file.
   PersonAxes axes_by_rotation(const Tensor<1, 3> &angles)
   {
     const Placement rotation(1., angles, Tensor<1, 3>());
@@ -72,6 +73,20 @@ namespace
       return rotation.rotate(direction);
     };
     return {axis(0), axis(1), axis(2)};
+  }
+
+
+  /// Puts a person upright along that axis of @p file which is nearly the
+  /// person's own: a head that is held forward inclines the landmarks' axis.
+  void straighten(PersonAxes &axes, const PersonAxes &file)
+  {
+    constexpr double nearly = 0.97; // 14 degrees
+    for (const Tensor<1, 3> &axis : {file.forward, file.left, file.up})
+      if (std::abs(axes.up * axis) > nearly)
+        axes.up = std::copysign(1., axes.up * axis) * axis;
+    axes.left -= (axes.left * axes.up) * axes.up;
+    axes.left /= axes.left.norm();
+    axes.forward = cross_product_3d(axes.left, axes.up);
   }
 } // namespace
 
@@ -87,18 +102,17 @@ Person::Person(dealii::ParameterHandler &prm,
   {
     axes_ = axes_by_landmarks(body);
     is_seated_ = axes_ && are_legs_bent(body, axes_->up);
+    if (axes_)
+      straighten(*axes_, axes_by_rotation(Placement::read_rotation(prm)));
   }
   else if (kind_ == "phantom" || kind_ == "image")
     axes_ = axes_by_rotation(Placement::read_rotation(prm));
   const ShapePointer surface = body.surface();
-  // Landmarks know the axis to a degree or so.
-  constexpr double parallel = 0.9994;
-  Tensor<1, 3> up = axes_ ? axes_->up : Point<3>::unit_vector(2);
-  for (unsigned int d = 0; d < 3; ++d)
-    if (std::abs(up[d]) > parallel)
-      up = std::copysign(1., up[d]) * Point<3>::unit_vector(d);
+  const Tensor<1, 3> vertical = Point<3>::unit_vector(2),
+                     up = axes_ ? axes_->up : vertical;
   const double top = surface->reach(up), bottom = -surface->reach(-up);
-  length_ = top - bottom;
+  length_ = is_seated_ ? surface->reach(vertical) + surface->reach(-vertical)
+                       : top - bottom;
   const Tensor<1, 3> height = charge - Point<3>(),
                      from_middle = charge - surface->bounding_box().center();
   to_charge_ = from_middle - (from_middle * up) * up +
@@ -137,12 +151,10 @@ std::string Person::description() const
   if (!axes_)
     return "a " + kind_ + height;
   const std::string posture_name = posture();
-  if (is_seated_ && posture_name == "seated")
-    return "a seated person" + height;
   return std::string(posture_name == "inclined" ? "an " : "a ") +
          (posture_name == "upside down" ? "person upside down"
                                         : posture_name + " person") +
-         size;
+         (is_seated_ ? height : size);
 }
 
 

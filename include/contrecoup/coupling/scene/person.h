@@ -65,8 +65,8 @@ public:
   /// the nearest height between soles and vertex [degrees]; NaN without axes.
   double charge_elevation() const;
 
-  /// Stature of the phantom, else extent of the body along the upright axis, or
-  /// its height without axes, as it is turned [m].
+  /// Stature of the phantom, else extent of the body along the upright axis;
+  /// its height, as it is turned, of who sits and without axes [m].
   double length() const
   {
     return length_;
