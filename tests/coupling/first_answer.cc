@@ -16,17 +16,18 @@ using dealii::Point;
 
 namespace
 {
-/// Lines for TNT 2 m from a box 1.8 m high.
+/// Lines for TNT at x = 2.15 m beside a box 1.8 m high and 0.3 m deep.
 std::vector<std::string> answer_for(const double mass,
                                     const bool has_usual_afterburn = true,
                                     const double height = 1.,
-                                    const bool has_ground = true)
+                                    const bool has_ground = true,
+                                    const double x = 2.15)
 {
   SceneParameters scene;
   scene.accuracy = SceneParameters::accuracies[0];
   scene.explosive = find_explosive("tnt");
   scene.mass = mass;
-  scene.place = Point<3>(2.15, 0., height);
+  scene.place = Point<3>(x, 0., height);
   scene.end_time = 0.01;
   scene.symmetry = "none";
   scene.has_usual_afterburn = has_usual_afterburn;
@@ -100,6 +101,19 @@ TEST(FirstAnswer, HasTheWaveOfASurfaceBurstOnTheGroundAlone)
   const auto open = answer_for(1., true, 0.06, false);
   EXPECT_NEAR(number_after(open, "free air: peak"), 200., 15.);
   EXPECT_FALSE(has_words(open, "reflection by the ground"));
+}
+
+
+// The ground's reflection comes to who stands before a wave or after it, and
+// not to a crown below the charge.
+TEST(FirstAnswer, HasNoReflectionOfTheGroundBehindTheBody)
+{
+  const std::string hidden = "which the body keeps from the nearest skin";
+  EXPECT_TRUE(has_words(answer_for(1., true, 3.8, true, 0.), hidden));
+  const auto beside = answer_for(1., true, 2.5);
+  EXPECT_FALSE(has_words(beside, hidden));
+  EXPECT_TRUE(has_words(beside, "which comes after the wave"));
+  EXPECT_TRUE(has_words(answer_for(1.), "where it has merged with the wave"));
 }
 
 

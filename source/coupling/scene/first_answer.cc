@@ -50,6 +50,9 @@ namespace
   std::string ground_in_words(const SceneParameters &scene,
                               const SceneLayout &layout)
   {
+    if (!layout.sees_ground_reflection())
+      return "reflection by the ground, which the body keeps from the nearest "
+             "skin";
     if (layout.charge[2] > layout.distance)
       return "reflection by the ground, which comes after the wave";
     const IncidentWave alone = layout.incident_wave(scene);

@@ -291,7 +291,7 @@ std::string gauge_cells_warning(const PlannedScene &scene,
         continue;
       const double cell = layout.cell_size(level);
       const double n_cells =
-        sound_speed * wave.nearest_duration(distance) / cell;
+        sound_speed * layout.expected_phase(parameters, distance) / cell;
       if (n_cells >= fewest)
         continue;
       fewest = n_cells;

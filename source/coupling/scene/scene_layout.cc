@@ -4,6 +4,7 @@
 #include <contrecoup/base/system/coordinates.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
+#include <contrecoup/coupling/scene/model_bias.h>
 #include <contrecoup/coupling/scene/scene_layout.h>
 
 #include <boost/math/constants/constants.hpp>
@@ -16,6 +17,7 @@
 namespace contrecoup::coupling
 {
 using dealii::Point;
+using dealii::Tensor;
 
 namespace
 {
@@ -144,8 +146,8 @@ void SceneLayout::place_charge(const SceneParameters &scene,
   const auto skin = hit(surface, charge);
   distance_along_x =
     skin ? charge[0] - (*skin)[0] : std::numeric_limits<double>::quiet_NaN();
-  distance =
-    surface.value(charge) < 0. ? 0. : charge.distance(surface.nearest(charge));
+  nearest_skin = surface.nearest(charge);
+  distance = surface.value(charge) < 0. ? 0. : charge.distance(nearest_skin);
   // The nearest place in its surroundings need not be the nearest of all.
   if (!scene.place)
     distance = std::min(distance, scene.distance);
@@ -165,9 +167,18 @@ IncidentWave SceneLayout::incident_wave(const SceneParameters &scene) const
 }
 
 
+double SceneLayout::expected_phase(const SceneParameters &scene,
+                                   const double way) const
+{
+  const double bias = model_bias(scene, way, is_surface_burst).duration;
+  return incident_wave(scene).nearest_duration(way) *
+         (std::isfinite(bias) ? 1. + bias : 1.);
+}
+
+
 void SceneLayout::choose_levels(const SceneParameters &scene)
 {
-  positive_phase = incident_wave(scene).nearest_duration(distance);
+  positive_phase = expected_phase(scene, distance);
   levels = scene.accuracy.levels;
   // Leaves of the user may be larger than those of the presets.
   const double largest = leaf / subcells / std::pow(2., levels);
@@ -362,6 +373,29 @@ double SceneLayout::shortest_side() const
   return std::min({unturned.side_length(0),
                    unturned.side_length(1),
                    unturned.side_length(2)});
+}
+
+
+double SceneLayout::seen_area() const
+{
+  const Tensor<1, 3> way = charge - nearest_skin;
+  double area = 0.;
+  for (unsigned int d = 0; d < 3; ++d)
+  {
+    double face = std::abs(way[d]) / way.norm();
+    for (unsigned int e = 0; e < 3; ++e)
+      if (e != d)
+        face *= std::min(body.side_length(e), 2. * distance);
+    area += face;
+  }
+  return area;
+}
+
+
+bool SceneLayout::sees_ground_reflection() const
+{
+  const Point<3> image(charge[0], charge[1], -charge[2]);
+  return (image - nearest_skin) * (charge - nearest_skin) > 0.;
 }
 
 

@@ -178,10 +178,10 @@ namespace
   }
 
   /// Item about the cells of the gas for the blast wave at the body.
-  /// @param n_cells in the positive phase
+  /// @param phase positive phase there [s]
   Assumption resolution(const SceneParameters &scene,
                         const SceneLayout &layout,
-                        const double n_cells)
+                        const double phase)
   {
     const bool is_finest =
       scene.accuracy.name == SceneParameters::accuracies.back().name;
@@ -189,7 +189,7 @@ namespace
             "cells of " + brief(1e3 * layout.cell_size()) + " mm at the skin",
             "number of cells in the positive phase at the body",
             "-",
-            n_cells,
+            layout.cells_per_phase() * phase / layout.positive_phase,
             std::min(least_cells, scene.accuracy.cells_per_phase),
             true,
             is_finest || scene.cell_size > 0. ? "Scene/Cell size"
@@ -233,24 +233,30 @@ namespace
              : unknown;
   }
 
+  /// Positive phase at the body, where the tables know one.
+  double known_phase(const SceneParameters &scene, const SceneLayout &layout)
+  {
+    return layout.incident_wave(scene).is_tabulated(BlastQuantity::duration,
+                                                    layout.distance)
+             ? layout.positive_phase
+             : unknown;
+  }
+
   /// Items about charge and cells, known before the run.
   std::vector<Assumption> items_of_charge(const SceneParameters &scene,
                                           const SceneLayout &layout)
   {
     const ModelBias known =
       model_bias(scene, layout.distance, layout.is_surface_burst);
-    const bool has_phase = layout.incident_wave(scene).is_tabulated(
-      BlastQuantity::duration, layout.distance);
-    return {
-      symmetry(layout),
-      afterburn(scene),
-      afterburn_effect(scene, layout, BlastQuantity::overpressure),
-      afterburn_effect(scene, layout, BlastQuantity::impulse),
-      resolution(scene, layout, has_phase ? layout.cells_per_phase() : unknown),
-      body_cells(layout),
-      bias("peak", known.peak, known.gap),
-      bias("impulse", known.impulse, known.gap),
-      bias("duration", known.duration, known.gap)};
+    return {symmetry(layout),
+            afterburn(scene),
+            afterburn_effect(scene, layout, BlastQuantity::overpressure),
+            afterburn_effect(scene, layout, BlastQuantity::impulse),
+            resolution(scene, layout, known_phase(scene, layout)),
+            body_cells(layout),
+            bias("peak", known.peak, known.gap),
+            bias("impulse", known.impulse, known.gap),
+            bias("duration", known.duration, known.gap)};
   }
 
   /// The same with what a run measured: neither the rise by afterburn nor the
@@ -264,8 +270,7 @@ namespace
     std::vector<Assumption> items = items_of_charge(scene, layout);
     for (Assumption &item : items)
       if (item.name == "resolution")
-        item.value =
-          layout.cells_per_phase() * duration / layout.positive_phase;
+        item = resolution(scene, layout, duration);
       else if ((item.name.rfind("afterburn_", 0) == 0 &&
                 scene.afterburn > 0.) ||
                item.name.rfind("model_bias_", 0) == 0)
@@ -436,15 +441,12 @@ std::vector<Assumption> scene_plan(const SceneParameters &scene,
                                    const double body_mass,
                                    const bool has_lung)
 {
-  // The loaded area is three fifths of the cross-section of the body's box.
-  const double front =
-    0.6 * layout.body.side_length(1) *
-    std::min(layout.body.side_length(2), 2. * layout.distance);
   const IncidentWave wave = layout.incident_wave(scene);
+  // A person fills three fifths of the box.
   const double speed =
-    wave.value(BlastQuantity::reflected_impulse, layout.distance) * front /
-    body_mass;
-  const double phase = wave.value(BlastQuantity::duration, layout.distance);
+    wave.value(BlastQuantity::reflected_impulse, layout.distance) * 0.6 *
+    layout.seen_area() / body_mass;
+  const double phase = known_phase(scene, layout);
   std::vector<Assumption> items = items_of_charge(scene, layout);
   for (const ChosenSide &side : find_chosen_sides(wrote, layout))
     items.push_back(chosen_side(side, layout));

@@ -67,6 +67,7 @@ struct SceneLayout
   bool is_surface_burst;
   /// From the charge's centre to the nearest point of the skin [m]
   double distance;
+  dealii::Point<3> nearest_skin; ///< the nearest point of the skin [m]
   /// From the charge's centre to the skin along -x [m]; NaN where that line
   /// misses the body
   double distance_along_x;
@@ -84,9 +85,7 @@ struct SceneLayout
   /// Time when the ground reflection has passed the body, and the incident wave
   /// all gauges() [s]
   double last_arrival;
-  /// Positive phase of the incident wave at the body by Kingery and Bulmash,
-  /// at the nearest distance that they cover [s]
-  double positive_phase;
+  double positive_phase; ///< expected_phase() at the body [s]
   /// Refinement levels at the skin and of fronts near the body: those of the
   /// preset, both raised until the positive phase has the cells it asks for,
   /// and the body those of least_cells_across.
@@ -107,6 +106,19 @@ struct SceneLayout
 
   /// Where the wave in the air is asked for: by the user, and at the probe.
   std::vector<GaugeRaster> gauges(const SceneParameters &scene) const;
+
+  /// Positive phase of the model's incident wave at a distance [m]: by Kingery
+  /// and Bulmash at the nearest distance that they cover, and by what
+  /// model_bias() knows there [s].
+  double expected_phase(const SceneParameters &scene, double way) const;
+
+  /// Area of the body's box across the line from the charge to the nearest
+  /// skin, of sides of at most twice the distance [m^2].
+  double seen_area() const;
+
+  /// Whether the ground's reflection comes to the nearest skin from outside:
+  /// not to the chest of who lies below the charge.
+  bool sees_ground_reflection() const;
 
   /// Distance from the charge to the nearest of the body and the open sides
   /// [m].
