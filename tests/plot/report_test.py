@@ -814,7 +814,11 @@ class ReportTest(unittest.TestCase):
             self.assertIn(html_page.given(apart.min(), "m", 3), words)
             is_late = end < 2e-3
             self.assertEqual("above the ground" in words, is_late)
-            self.assertEqual("by the ground" in words, not is_late)
+            # No wave comes from below to a crown that faces the charge.
+            is_hidden = place[2] > 1.8
+            self.assertEqual(scene_sections._ground_is_hidden(scene), is_hidden)
+            self.assertEqual("by the ground" in words,
+                             not is_late and not is_hidden)
 
     def test_walls_in_the_drawing(self):
         """To scale within the picture, arrows to those beyond, words beside
@@ -1457,6 +1461,15 @@ class ReportTest(unittest.TestCase):
             self.assertAlmostEqual(wide, 2., delta=2. * views.pixel)
             self.assertEqual(np.count_nonzero(shown), np.count_nonzero(
                 shown.any(axis=0)) * np.count_nonzero(shown.any(axis=1)))
+        self.assertEqual(views.bare_part(), 0.)
+        # A side on the ground has no facets: it is seen grey, not white.
+        with h5py.File(path, "a") as file:
+            file["normal"][0] = -1., 0., 0.
+        views = body_views.BodyViews(loads.Loads(path), [])
+        self.assertEqual(views.bare_part(), 1.)
+        front = views.paint_side(0)
+        self.assertTrue(np.all(front[views.sides[0].silhouette]
+                               == body_views.BARE))
         for flaw in ([3, 4, 0, 1, 2, 8] * 4, [3, 4, 0, 1, 2, 3] * 3,
                      [3, 4, 0, 1, 2, 3] * 3 + [3, 9, 0, 1]):
             with h5py.File(path, "a") as file:

@@ -23,6 +23,7 @@ GAP = 0.06  # between two views, over the height
 MORE = 1.1
 # Pixels in the width of the largest facet, at most: more show its edge alone.
 FINEST = 40.
+BARE = 0.75  # grey of skin without gas
 
 
 @functools.lru_cache(maxsize=2)
@@ -102,6 +103,12 @@ class BodyViews:
         """The body alone, in grey without values by facet."""
         return self.sides[side].paint(values, norm, colours)
 
+    def bare_part(self):
+        """Largest part of the body in a view that is skin without gas."""
+        return max(np.count_nonzero(side.bare())
+                   / max(np.count_nonzero(side.silhouette), 1)
+                   for side in self.sides)
+
     def loaded_sides(self, loads):
         """The side towards which the facets with the largest loads look, and
         the one of both beside it with the larger load, see MORE."""
@@ -150,6 +157,7 @@ class _Side:
             int((high[axis] - low[axis] + 2. * margin) / pixel) + 1
             for axis in (self.up[0], self.right[0]))
         self.silhouette = self._fill(*outline)
+        self.is_outlined = bool(outline[1])
         towards = self.depth[1] * normals[:, self.depth[0]]
         seen = towards > 0.
         self._spread(centroids[seen], normals[seen], spacing[seen],
@@ -235,9 +243,16 @@ class _Side:
         light = np.tensordot(lamp, normal, 1)
         return 0.62 + 0.38 * np.clip(light, 0., 1.)
 
+    def bare(self):
+        """Which pixels within the silhouette show no facet: skin without gas,
+        where the eye would look into the body."""
+        return (self.silhouette & (self.total.reshape(self.shape) == 0.)
+                if self.is_outlined else np.zeros(self.shape, bool))
+
     def paint(self, values, norm, colours):
         """Red, green, blue; grey without values, white beside the body."""
         picture = np.ones(self.shape + (3,))
+        picture[self.bare()] = BARE
         body = self.total.reshape(self.shape) > 0.
         grey = np.full(self.shape + (3,), 0.8)
         if values is not None:

@@ -22,6 +22,7 @@ PEOPLE = {
                         "half of the eardrums would rupture"),
     "peak_overpressure": ("peak_overpressure", "peak overpressure",
                           4. * injury_maps.PSI, "4 psi are exceeded")}
+SEEN_BARE = 2e-3  # part of a view, above which a hole is seen
 
 
 def air(scene):
@@ -221,18 +222,21 @@ def skin(scene):
         times = page.drawn(body_loads.draw_times, known, views, one_scale=True)
         measures = page.drawn(body_loads.draw_measures, known, views)
         largest = page.quantity(float(known.measure("peak").max()), "Pa")
+    bare = "" if views.bare_part() < SEEN_BARE else (
+        " Even grey: skin that no gas reaches, as that on the ground.")
     return [
         page.figure(times, f"The body: {', '.join(views.names())}, "
                     "coloured by the overpressure on its skin after "
                     f"{page.moments(moments)}.",
                     "Overpressure on the skin while the wave passes, from four "
                     "sides, with one colour scale for all times. Colours "
-                    "follow the square root of the overpressure."),
+                    "follow the square root of the overpressure." + bare),
         page.figure(measures, "The body from four sides, coloured by peak "
                     f"overpressure, {largest} at most, by positive impulse "
                     "and by arrival.",
                     "Peak overpressure, impulse of the positive phase and "
-                    "arrival of the wave on the skin, over the whole run.")]
+                    "arrival of the wave on the skin, over the whole run."
+                    + bare)]
 
 
 def histories(scene):

@@ -104,8 +104,10 @@ def section(scene):
     ways = "" if _target(scene) is None else (
         "The solid line is the path of the direct wave to the nearest skin, "
         + ("whose reflection by the ground would come after the end of the run. "
-           if _ground_is_late(scene) else "the dashed line the path of its "
-           "reflection by the ground to the same place. "))
+           if _ground_is_late(scene) else "which the body keeps from the "
+           "reflection by the ground. " if _ground_is_hidden(scene) else
+           "the dashed line the path of its reflection by the ground to the "
+           "same place. "))
     parts.append(page.figure(
         _draw(scene), f"Drawing of the {scene.explosive_name()} charge, "
         f"{page.given(float(scene.charge_place()[2]), 'm')} above the "
@@ -182,6 +184,14 @@ def _ground_is_late(scene):
     arrivals = scene.loads().measure("arrival")
     return bool(np.any(arrivals > 0.)) and reflections.is_late(
         scene, target, float(arrivals[arrivals > 0.].min()), end)
+
+
+def _ground_is_hidden(scene):
+    """Whether the reflection by the ground would come to the skin that is
+    nearest to the charge from within the body."""
+    charge, target = scene.charge_place(), _target(scene)
+    return target is not None and bool(
+        (charge * [1., 1., -1.] - target) @ (charge - target) <= 0.)
 
 
 def _draw_body(scene, axis):
@@ -268,7 +278,7 @@ def _draw_ways(scene, axis, away, has_ground):
                   textcoords="offset points",
                   ha="right" if away > 0. else "left",
                   va="bottom" if is_above else "top", color=style.COLOURS[0])
-    if not has_ground:
+    if not has_ground or _ground_is_hidden(scene):
         return
     bent = np.linalg.norm(charge * np.array([1., 1., -1.]) - target)
     part = charge[2] / (charge[2] + target[2])
