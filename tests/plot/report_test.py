@@ -35,14 +35,14 @@ sys.path[:0] = [os.path.join(HERE, "..", "..", "applications"),
 import summaries  # noqa: E402 (after the path of the module)
 
 from plot import command_line  # noqa: E402 (after the path of the package)
-from plot.analysis import signals, wave_times  # noqa: E402
+from plot.analysis import person, signals, wave_times  # noqa: E402
 from plot.figures import (body_loads, body_views, plane_cuts,  # noqa: E402
                           style)
 from plot.readers import loads, tables  # noqa: E402
 from plot.readers.scene import Scene  # noqa: E402
 from plot.report import (accuracy, blast_sections,  # noqa: E402
                          error_estimate, headline, injury_table, injury_thresholds,
-                         page as html_page, reflections, scene_sections,
+                         page as html_page, reflections, scene_sections, summary,
                          verdict)
 
 
@@ -888,6 +888,38 @@ class ReportTest(unittest.TestCase):
                          "right 24 %; by the tables 64 to 98 %)")
         self.assertEqual(told(0.2, 0.2), "eardrums may rupture (20 %, by the "
                          "tables 64 to 98 %)")
+
+    def test_verdict_of_several_measures(self):
+        """It is certain if each that its words are of is."""
+        def told(*certain):
+            return verdict.Verdict("", "w", "mid", entries=[
+                types.SimpleNamespace(is_certain=lambda of=one: of)
+                for one in certain]).is_certain()
+        self.assertIs(told(True, True), True)
+        self.assertIs(told(True, False), False)
+        self.assertIs(told(None, False), False)
+        self.assertIsNone(told(True, None))
+        self.assertIsNone(told())
+        known = injury_thresholds.KNOWN["ear_rupture"]
+        # The worse ear is far above all thresholds, the other one at its first.
+        ears = [injury_table.Judged(
+            f"ear_rupture_{side} ear", injury_thresholds.probability(
+                "eardrum_rupture", peak), "-", known, 0.2, "",
+            curve="eardrum_rupture", of=peak) for side, peak in (
+                ("left", 1e6), ("right", 35e3))]
+        self.assertEqual([ear.is_certain() for ear in ears], [True, False])
+        found = verdict._ears(types.SimpleNamespace(
+            table_answer=lambda name: (None, None)), ears)
+        self.assertIn("right eardrum stays intact (4.9", str(found))
+        self.assertIs(found.entry, ears[0])
+        self.assertIs(found.is_certain(), False)
+        self.assertIs(summary._verdict(found)["is_certain"], False)
+
+    def test_part_at_a_gauge(self):
+        """It is the last word of the gauge's name."""
+        self.assertEqual([person.part_at(name) for name in (
+            "ear", "left ear", "right_ear", "upper rear", "near")],
+            ["ear", "ear", "ear", "rear", "near"])
 
     def test_wave_at_no_named_place(self):
         """The wave on the skin is told, and that it does not come."""

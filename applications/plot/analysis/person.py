@@ -2,12 +2,20 @@
 # Copyright (C) 2026 by the Contrecoup authors
 """Who is in a scene, and which way the person faces, as scene.json has it."""
 
+import re
+
 import numpy as np
 
 # By the side of the person that is turned to the charge: where the charge is.
 WHERE = {"front": "in front of", "left side": "to the left of",
          "back": "behind", "right side": "to the right of",
          "head": "beyond the head of", "feet": "beyond the feet of"}
+
+
+def part_at(gauge):
+    """The part of the body that a gauge's name has as its last word: "ear" of
+    "left ear", not of "rear"."""
+    return re.split(r"[\W_]", gauge)[-1]
 
 
 def axes(scene):

@@ -158,7 +158,7 @@ def _head(scene, gauges):
     """Phases and peaks at the head."""
     time = gauges["time"]
     here = [name for name in gauges.others("time")
-            if name.endswith(HEAD) and gauges[name].max() > 0.]
+            if person.part_at(name) in HEAD and gauges[name].max() > 0.]
     if "forehead" not in here:
         return []
     peak = {name: float(gauges[name].max()) for name in here}
@@ -196,13 +196,18 @@ def _phases(time, gauges, here):
         AGREES if both == len(here) else PARTLY if both else DIFFERS)
 
 
+def _first(names, part):
+    """The first gauge at a part of the body, or None."""
+    return next((name for name in names if person.part_at(name) == part), None)
+
+
 def _rear(gauges, peak):
-    temple = next((name for name in peak if name.endswith("temple")), None)
+    temple = _first(peak, "temple")
     if temple is None or "occiput" not in peak:
         return []
     behind, beside = peak["occiput"], peak[temple]
     agrees = behind > beside
-    ear = next((name for name in peak if name.endswith("ear")), None)
+    ear = _first(peak, "ear")
     text = f"occiput {_kpa(behind)}, temple {_kpa(beside)}"
     if ear:
         text += f", ear {_kpa(peak[ear])}"
@@ -219,7 +224,7 @@ def _rear(gauges, peak):
 
 
 def _incident(scene, peak):
-    temple = next((name for name in peak if name.endswith("temple")), None)
+    temple = _first(peak, "temple")
     side_on = scene.blast.found("results", "probe_1_peak_overpressure")
     known = scene.blast.found("results",
                               "probe_1_reference_peak_overpressure")
@@ -280,7 +285,7 @@ def _places(scene, gauges):
             name in order[:5] for name in ("forehead", "left eye"))
         else PARTLY if chest_first else DIFFERS,
         "" if chest_first else "another part of the body is closer")]
-    eye = next((name for name in names if name.endswith("eye")), None)
+    eye = _first(names, "eye")
     if eye and "forehead" in peak and "throat" in peak and "chest" in peak:
         higher = [peak[eye] > peak["forehead"], peak["throat"] > peak["chest"]]
         found.append(Statement(
@@ -292,7 +297,7 @@ def _places(scene, gauges):
             AGREES if all(higher) else PARTLY if any(higher) else DIFFERS,
             "" if all(higher) else "the concave place is shallow and farther "
             "from the charge"))
-    shin = next((name for name in names if name.endswith("shin")), None)
+    shin = _first(names, "shin")
     if shin:
         found.append(_leg(gauges["time"], gauges, shin))
     return found

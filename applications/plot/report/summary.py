@@ -59,10 +59,10 @@ def _verdict(one):
     told = {"subject": one.subject, "words": str(one), "severity": one.kind}
     if one.entry is None:
         return {**told, "measure": None, "value": None, **_bounds(None),
-                "is_certain": None}
+                "is_certain": one.is_certain()}
     return {**told, "measure": one.entry.name,
             "value": _number(one.entry.value), **_bounds(one.entry.bounds()),
-            "is_certain": one.entry.is_certain()}
+            "is_certain": one.is_certain()}
 
 
 def _measure(entry):

@@ -18,16 +18,25 @@ UNSURE = "uncertain by the numerics"
 
 class Verdict:
     """Of one part of the person: words, and what stands in brackets behind
-    them. @p kind: good, mid, bad or none."""
+    them. @p kind: good, mid, bad or none. @p entry decides; the words are of
+    all @p entries."""
 
-    def __init__(self, subject, words, kind, detail="", entry=None):
+    def __init__(self, subject, words, kind, detail="", entry=None, entries=()):
         self.subject, self.words, self.kind = subject, words, kind
         self.detail, self.entry = detail, entry
+        self.entries = entries or (() if entry is None else (entry,))
 
     def label(self):
         """A few words beside a mark on a picture."""
         is_chance = self.entry is not None and self.entry.curve
         return self.subject + (f" {self.entry.shown()}" if is_chance else "")
+
+    def is_certain(self):
+        """Whether the estimated error leaves all that the words say as it is;
+        None if that is unknown."""
+        known = [entry.is_certain() for entry in self.entries]
+        return False if False in known else \
+            None if None in known or not known else True
 
     def __str__(self):
         return self.words + (f" ({self.detail})" if self.detail else "")
@@ -146,13 +155,13 @@ def _ears(scene, judged):
         parts = [f"{side} eardrum{_singular(word)} ({entry.shown()}"
                  f"{_by_the_numerics(entry)}{tables})" for side, word, entry
                  in zip(sides, words, ears)]
-        return Verdict("eardrums", ", ".join(parts), kind, "", worst)
+        return Verdict("eardrums", ", ".join(parts), kind, "", worst, ears)
     figures = [entry.shown() + _by_the_numerics(entry) for entry in ears]
     told = figures[0] if len(set(figures)) == 1 else "; ".join(
         f"{side} {figure}" for side, figure in zip(sides, figures))
     return Verdict("eardrums", "eardrums" + words[0], kind,
                    told + (tables if told == figures[0] else
-                           tables.replace(",", ";", 1)), worst)
+                           tables.replace(",", ";", 1)), worst, ears)
 
 
 def _singular(word):
@@ -266,12 +275,13 @@ def _brain(judged):
                           else ""), "mid" if beyond else "good",
                        f"{UNSURE}: " + page.joined(
                            entry.short_title() for entry in unsure)
-                       if unsure else "", entries[0])
+                       if unsure else "", entries[0], entries)
     words = [_reached(entry) for entry in above if entry not in unsure]
     if unsure:
         words.append(page.joined(_reached(entry) for entry in unsure)
                      + f" ({'each ' if len(unsure) > 1 else ''}{UNSURE})")
-    return Verdict("brain", "brain: " + ", ".join(words), "mid", "", above[0])
+    return Verdict("brain", "brain: " + ", ".join(words), "mid", "", above[0],
+                   above + unsure)
 
 
 def _reached(entry):
