@@ -14,6 +14,7 @@
 #include <map>
 #include <numeric>
 #include <optional>
+#include <regex>
 #include <set>
 
 namespace contrecoup::gas
@@ -39,12 +40,11 @@ namespace
   }
 
 
+  /// Whether the last word of a gauge's name is "ear", as that of "rear" is
+  /// not.
   bool is_ear(const std::string &place)
   {
-    const std::string ending = "ear";
-    return place.size() >= ending.size() &&
-           place.compare(place.size() - ending.size(), ending.size(), ending) ==
-             0;
+    return std::regex_match(place, std::regex("(.*[^[:alnum:]])?ear"));
   }
 
 

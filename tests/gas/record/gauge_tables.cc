@@ -45,6 +45,30 @@ TEST(GaugeTables, CallTheLoadOfACutPositivePhaseALowerLimit)
 }
 
 
+// An ear is the last word of a name, not the end of one.
+TEST(GaugeTables, TakeNoOtherPlaceForAnEar)
+{
+  const std::vector<double> times{0., 1e-3, 2e-3}, wave{0., 2e5, 1e5};
+  for (const auto &[place, is_ear] :
+       std::map<std::string, bool>{{"ear", true},
+                                   {"left ear", true},
+                                   {"left_ear", true},
+                                   {"rear", false},
+                                   {"upper rear", false},
+                                   {"gear", false},
+                                   {"near", false},
+                                   {"ear muff", false}})
+  {
+    const std::string table = gauge_injury_table(
+      {{place, {2e5, 100., 0.5e-3, 1e-3}, 1e-3, wave}}, times, 70.);
+    EXPECT_EQ(table.find("eardrum_rupture," + place + ",") != std::string::npos,
+              is_ear)
+      << place;
+    EXPECT_EQ(table.empty(), !is_ear) << place;
+  }
+}
+
+
 // A back that bears three times the load of the chest.
 TEST(GaugeTables, HaveChestAndBack)
 {

@@ -47,7 +47,7 @@ std::string gauge_measures_table(const std::vector<GaugeBlast> &gauges,
  * "back", "left upper arm" and "right upper arm" and the mean of these over the
  * "trunk" (of chest and back where there are no arms; before a plane of
  * symmetry one arm counts twice), lung exposure at "chest" and "back", eardrum
- * rupture at gauges whose name ends with "ear"; see load_injury(). Of a blast
+ * rupture at gauges whose last word is "ear"; see load_injury(). Of a blast
  * test device, a cylinder of 0.305 m diameter and 0.762 m height (NATO AEP-55,
  * vol. 3, 2011) with the gauges "device front", "device back", "device left"
  * and "device right" at half its height, the chest wall velocity that Axelsson
