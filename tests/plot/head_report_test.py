@@ -28,8 +28,7 @@ import head_figures  # noqa: E402 (after the paths of the modules)
 import report_reader  # noqa: E402
 from plot import command_line  # noqa: E402
 from plot.readers import cuts, head_run  # noqa: E402
-from plot.report import (head_paper, head_report,  # noqa: E402
-                         page as html_page)
+from plot.report import head_report, page as html_page  # noqa: E402
 
 OUTPUT = None
 # Columns of tables whose figures are all checked, by section.
@@ -210,10 +209,10 @@ class CutTest(unittest.TestCase):
         run = head_run.HeadRun(OUTPUT)
         if not run.is_layered():
             self.skipTest("another body than the paper's")
-        self.assertTrue(head_paper.applies(run))
+        self.assertTrue(run.is_published())
         run.history.values[:, run.history.names.index("momentum_x")] = \
             0.5 * run.history["momentum_z"]
-        self.assertFalse(head_paper.applies(run))
+        self.assertFalse(run.is_published())
         self.assertEqual(head_report._impact_speed(run).replace(
             "\u00a0", " "), "3.35 m/s, of which 3.00 m/s are towards the plane")
 
@@ -330,6 +329,71 @@ class RowsTest(unittest.TestCase):
                                         "history.csv, one of 10 steps")):
             run = types.SimpleNamespace(parameter=lambda _, of=every: [of])
             self.assertEqual(head_report._row_times(run), words)
+
+
+class Struck(head_run.HeadRun):
+    """A run of an impact with outputs every 0.2 ms, without files."""
+
+    def __init__(self, is_published=False, end=5e-3, **states):
+        self.known, self.end, self.is_paper = states, end, is_published
+
+    def is_published(self):
+        return self.is_paper
+
+    def fields(self):
+        return [(2e-4 * n, []) for n in range(round(self.end / 2e-4) + 1)]
+
+    def contact(self, name):
+        return self.known.get(name)
+
+    def last_contact(self):
+        return self.known.get("contact_end")
+
+    def rebound(self):
+        return self.known.get("rebound")
+
+
+class PickedTest(unittest.TestCase):
+    """Cuts show the impact, whenever it is, each state once."""
+
+    IMPACT = {"contact_begin": 1e-3, "peak_contact_force_time": 1.78e-3,
+              "rebound": 2.51e-3, "contact_end": 3.99e-3}
+
+    def times(self, run):
+        return [round(1e3 * time, 3) for time, _ in run.picked()]
+
+    def test_states(self):
+        run = Struck(**self.IMPACT)
+        self.assertEqual(self.times(run), [1.2, 1.8, 2.6, 4.])
+        self.assertEqual(
+            head_report._choice(run).replace("\u00a0", " "),
+            "Times are those of outputs after first contact (1.00 ms), about "
+            "largest force (1.78 ms), rebound (2.51 ms) and end of contact "
+            "(3.99 ms).")
+        flow = [types.SimpleNamespace(time=time) for time, _ in run.picked()]
+        self.assertEqual([round(1e3 * cut.time, 3)
+                          for cut in run.picked_flow(flow)], [1.8, 4.])
+
+    def test_doubles(self):
+        """Of two states in one output, and of a contact that goes on."""
+        self.assertEqual(self.times(Struck(**{
+            **self.IMPACT, "peak_contact_force_time": 2.78e-3,
+            "rebound": 2.71e-3})), [1.2, 2., 2.8, 4.])
+        times = self.times(Struck(contact_begin=4.1e-3,
+                                  peak_contact_force_time=4.96e-3))
+        self.assertEqual((len(times), times[0], times[-1]), (4, 4.2, 5.))
+
+    def test_without_contact(self):
+        run = Struck()
+        self.assertEqual(self.times(run), [0.2, 1.4, 2.6, 5.])
+        self.assertEqual(head_report._choice(run), "")
+        self.assertEqual(self.times(Struck(end=0.)), [])
+
+    def test_published(self):
+        run = Struck(is_published=True, **self.IMPACT)
+        self.assertIn(5., self.times(run))
+        self.assertIn(1., self.times(run))
+        self.assertIn("published pictures", head_report._choice(run))
 
 
 class CrossingTest(unittest.TestCase):

@@ -10,9 +10,19 @@ import numpy as np
 from plot.readers import cuts, fields, files, vtk_file
 from plot.readers.stage import Stage
 
-# Times of the published pictures of a head against a wall [s].
+# The published impact of a head on a wall (X. G. Tan, R. N. Saunders, A. Bagchi,
+# COUPLED PROBLEMS 2017, section 3.4): speed [m/s], times of its pictures [s], and,
+# as the paper gives no sizes, those of the shipped scene of it [m].
+PUBLISHED_SPEED = 3.
 PUBLISHED_TIMES = (1e-4, 5e-4, 1e-3, 5e-3)
+PUBLISHED_FLOW_TIMES = (1e-3, 5e-3)
+PUBLISHED_SIZES = {"Semi-axes": 0.08, "CSF thickness": 0.004,
+                   "Skull thickness": 0.007}
+# Of an impact: what its cuts show.
+STATES = ("first contact", "largest force", "rebound", "end of contact")
+FLOW_STATES = STATES[1::2]
 LEAST_PANELS = 4
+SEEN = 0.02  # of the contact, until when an impact is not seen yet
 # Beside a plane of symmetry, where cells have a face, over the head's size.
 BESIDE = 1e-4
 # What layers are called as tissues of a file.
@@ -73,6 +83,21 @@ class HeadRun(Stage):
             self.is_file() and any(self.region(layer)
                                    for layer in ("brain", "csf"))))
 
+    def is_published(self):
+        """Whether this is the published impact: brain, CSF and skull of the
+        shipped sizes, straight against one plane, at the published speed."""
+        if not (self.is_head() and self.is_layered() and len(self.planes) == 1
+                and all(self.region(layer)
+                        for layer in ("brain", "csf", "skull"))):
+            return False
+        speed = -float(self.normal_velocity()[0])
+        momentum = np.array([self.history[f"momentum_{axis}"][0]
+                             for axis in "xyz"]) / self.history["mass"][0]
+        return abs(np.linalg.norm(momentum) / PUBLISHED_SPEED - 1.) < 0.01 \
+            and abs(speed / PUBLISHED_SPEED - 1.) < 0.01 \
+            and all(np.allclose(self.parameter(f"Mesh/{name}") or 0., size,
+                                1e-3) for name, size in PUBLISHED_SIZES.items())
+
     def is_layered(self):
         return self.parameters.get("Mesh/Kind") == "layered head"
 
@@ -131,19 +156,55 @@ class HeadRun(Stage):
                 self._fields = fields.list_fields(self.folder)
         return self._fields
 
+    def states(self):
+        """Moments of the impact by STATES [s], without those that the run does
+        not reach; {} without a contact."""
+        times = (self.contact("contact_begin"),
+                 self.contact("peak_contact_force_time"), self.rebound(),
+                 self.last_contact())
+        return {name: time for name, time in zip(STATES, times)
+                if time is not None} if times[0] is not None else {}
+
     def picked(self):
-        """The outputs to show: at the times of the published pictures, and
-        others where these are few."""
+        """The outputs to show: the nearest to states of the impact, of the
+        published one those at the times of its pictures; where these are few,
+        others far from them, of the contact first."""
         later = [entry for entry in self.fields() if entry[0] > 0.]
-        chosen = {entry[0]: entry for time in PUBLISHED_TIMES
-                  for entry in later if abs(entry[0] - time) <= 0.02 * time}
-        others = [entry for entry in later if entry[0] not in chosen]
-        missing = min(LEAST_PANELS - len(chosen), len(others))
-        if missing > 0:
-            for number in np.linspace(len(others) - 1, 0, missing):
-                entry = others[int(round(number))]
+        states = self.states()
+        end = states.get(STATES[-1], max(later, default=(0.,))[0])
+        if self.is_published():
+            chosen = {entry[0]: entry for time in PUBLISHED_TIMES
+                      for entry in later
+                      if abs(entry[0] - time) <= 0.02 * time}
+        else:
+            # Until the contact has begun there is nothing to be seen.
+            begin = states.get(STATES[0], 0.)
+            later = [entry for entry in later
+                     if entry[0] > begin + SEEN * (end - begin)] or later[-1:]
+            chosen = {entry[0]: entry for entry in (
+                nearest(later, time) for time in states.values() if later)}
+        for _ in range(LEAST_PANELS - len(chosen)):
+            others = [entry for entry in later if entry[0] not in chosen]
+            if others:
+                entry = max(others, key=lambda entry: (
+                    entry[0] <= end, min((abs(entry[0] - time) for time in
+                                          chosen), default=entry[0])))
                 chosen[entry[0]] = entry
         return [chosen[time] for time in sorted(chosen)]
+
+    def picked_flow(self, cuts):
+        """Of Cuts of what was picked those to show the flow of the CSF: of the
+        published impact at times of its pictures, else of FLOW_STATES; the
+        last two where there are none."""
+        if self.is_published():
+            return [cut for cut in cuts if any(
+                abs(cut.time - time) <= 0.02 * time
+                for time in PUBLISHED_FLOW_TIMES)] or cuts[-2:]
+        states = self.states()
+        wanted = {min((abs(cut.time - states[name]), cut.time)
+                      for cut in cuts)[1] for name in FLOW_STATES
+                  if name in states}
+        return [cut for cut in cuts if cut.time in wanted] or cuts[-2:]
 
     def cut_axes(self):
         """The axis normal to the cut, and those to the right and up: the cut
@@ -234,6 +295,11 @@ def layer_named(layer, region):
     if not word or word.isdigit():
         word = region.lower()
     return LAYERS.get(word, word)
+
+
+def nearest(outputs, time):
+    """The output, time and files, that is nearest to a time."""
+    return min(outputs, key=lambda entry: abs(entry[0] - time))
 
 
 def first_crossing(time, values):

@@ -16,26 +16,6 @@ NO_SIZES = ("the paper gives neither size, thickness, mass nor stiffness of "
             "its head, on which this depends")
 
 
-# The paper gives no sizes of its head: those of the shipped scene of it [m].
-SIZES = {"Semi-axes": 0.08, "CSF thickness": 0.004, "Skull thickness": 0.007}
-SPEED = 3.  # m/s, straight towards the wall
-
-
-def applies(run):
-    """Whether a run is of the published impact: brain, CSF and skull of the
-    shipped sizes, straight against one plane, at the published speed."""
-    if not (run.is_head() and run.is_layered() and len(run.planes) == 1
-            and all(run.region(layer) for layer in ("brain", "csf", "skull"))):
-        return False
-    speed = -float(run.normal_velocity()[0])
-    momentum = np.array([run.history[f"momentum_{axis}"][0]
-                         for axis in "xyz"]) / run.history["mass"][0]
-    return abs(np.linalg.norm(momentum) / SPEED - 1.) < 0.01 \
-        and abs(speed / SPEED - 1.) < 0.01 \
-        and all(np.allclose(run.parameter(f"Mesh/{name}") or 0., size, 1e-3)
-                for name, size in SIZES.items())
-
-
 def section(run):
     """The table of all statements."""
     statements = (_set_up(run) + _rebound(run) + _pressure(run) + _shear(run)

@@ -22,7 +22,6 @@ CONSTANTS = {
                      ("Long-term shear modulus", "Pa"),
                      ("Relaxation time", "s"), ("Kinematics", "")),
     "tissue": (("Tissue", ""), ("Tissue set", ""), ("Kinematics", ""))}
-FLOW_TIMES = (1e-3, 5e-3)
 ROUND_OFF = 1e-9  # of sums of energies, over the largest of them
 
 
@@ -39,7 +38,7 @@ def build(run, folder):
     parts.section("Pressure and strain over time", *histories(run, folder))
     parts.section("Energy", *energy(run, folder))
     parts.section("Injury", *injury(run, judged))
-    if head_paper.applies(run):
+    if run.is_published():
         parts.section("Against the paper", *head_paper.section(run))
     parts.section("Parameters and assumptions", *assumptions(run))
     parts.section("Cost", accuracy.cost_table(
@@ -268,7 +267,8 @@ def cuts(run, folder):
         f"pressure after {times}.",
         f"Pressure in a cut {where}, one scale for all times with square-root "
         "colours: red is compression, blue tension. The scale is that of brain "
-        "and CSF, which the skull's pressure goes beyond.")]
+        "and CSF, which the skull's pressure goes beyond. "
+        + _choice(run))]
     if any(run.is_solid(name) for name in run.regions):
         parts.append(figure(
             folder, "head_shear_strain", head_figures.draw_shear(run, found),
@@ -278,9 +278,7 @@ def cuts(run, folder):
             "cut, one scale for all times with square-root colours; the CSF "
             "bears no shear and is pale."))
     if run.region("csf"):
-        flow = [cut for cut in found if any(
-            abs(cut.time - time) <= 0.02 * time for time in FLOW_TIMES)] \
-            or found[-2:]
+        flow = run.picked_flow(found)
         parts.append(figure(
             folder, "head_speed", head_figures.draw_speed(run, flow),
             "The ring of CSF in the head's cut, coloured by its speed with "
@@ -290,6 +288,17 @@ def cuts(run, folder):
             "skull's mean velocity (right), which shows how it flows around "
             "the brain. Arrows and colours have one scale on either side."))
     return parts
+
+
+def _choice(run):
+    """Which outputs cuts show, as a sentence; "" where nothing is hit."""
+    if run.is_published():
+        return "Times are those of the published pictures, as far as there " \
+            "are outputs."
+    told = [f"{name} ({page.milliseconds(time)})"
+            for name, time in run.states().items()]
+    return "" if not told else "Times are those of outputs after " + ", about ".join(
+        filter(None, (told[0], page.joined(told[1:])))) + "."
 
 
 def contact(run, folder):
