@@ -243,6 +243,15 @@ TEST(HeadMeasures, OfAHalfAreThoseOfTheWhole)
   EXPECT_NEAR(half.found().at("injury_bric"), 20. / 66.25, 1e-12);
   EXPECT_NEAR(half.found().at("injury_hic15"), 1e-3 * std::pow(50., 2.5), 0.02);
   EXPECT_EQ(quarter.found().at("injury_bric"), 0.);
+  for (MovedHead *head : {&half, &quarter})
+    for (const auto &measure : head->measures().measures(MPI_COMM_WORLD))
+      if (measure.value.name == "injury_bric")
+      {
+        EXPECT_EQ(measure.limits.find("symmetry keep the head from turning") !=
+                    std::string::npos,
+                  head == &quarter)
+          << measure.limits;
+      }
 }
 
 // A brain without a skull moves, too.

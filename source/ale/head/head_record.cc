@@ -12,6 +12,7 @@
 
 #include <boost/algorithm/string/predicate.hpp>
 
+#include <algorithm>
 #include <filesystem>
 #include <sstream>
 
@@ -193,9 +194,15 @@ HeadRecord::measures(const MPI_Comm communicator) const
                              : brain_ == none
                                ? "the mean motion of the skull"
                                : "the skull, at the centre of brain and skull";
-  for (const solid::InjuryMeasure &measure : solid::head_motion_measures(
+  const bool turns =
+    std::count(is_mirrored_.begin(), is_mirrored_.end(), true) < 2;
+  for (solid::InjuryMeasure measure : solid::head_motion_measures(
          record_.motion, moving + ", until the end of the run"))
+  {
+    if (measure.value.name == "injury_bric" && !turns)
+      measure.limits = "zero, as planes of symmetry keep the head from turning";
     list.push_back(measure);
+  }
   solid::apply(own_, list);
   return list;
 }

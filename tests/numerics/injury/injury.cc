@@ -194,6 +194,10 @@ TEST(InjuryCriteria, AreToldInWords)
             "-100000 Pa: fluid may cavitate (");
   EXPECT_EQ(injury_criterion("injury_cavitation_dose").in_words(),
             "no threshold (none is published)");
+  // Entries differ between the applications that share these words.
+  for (const std::string &name : injury_measures_of({"head", "chest"}))
+    EXPECT_EQ(injury_criterion(name).limits.find('/'), std::string::npos)
+      << name;
 }
 
 TEST(BlastInjury, FollowsBowensCurve)
