@@ -52,11 +52,13 @@ class Scene:
             for name in ("coarser_blast", "coarser_biomechanics")))
 
     def stage(self, name):
-        """The folder of a stage, which may not be there."""
-        folder = next((stage["folder"] for stage in self.list_of("stages")
-                       if stage.get("name") == name and stage.get("folder")),
-                      name)
-        return Stage(os.path.join(self.folder, folder))
+        """The folder of a stage, which may not be there. That of a stage that
+        scene.json does not list is of an earlier scene: none is left of it."""
+        listed = {stage.get("name"): stage.get("folder") or name
+                  for stage in self.list_of("stages")}
+        is_left = listed and name not in listed
+        return Stage(os.path.join(self.folder, listed.get(name) or name,
+                                  *(["none"] if is_left else [])))
 
     def list_of(self, name):
         """A list of objects in scene.json, [] if missing."""

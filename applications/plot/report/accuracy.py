@@ -7,6 +7,7 @@ import math
 import os
 
 from plot.readers import files
+from plot.readers.scene import STAGES
 from plot.report import error_estimate, load_impulses, page, reflections
 
 PLAN_WIDTHS = (10, 17, 19, 9, 9, 10, 7, 19)
@@ -318,8 +319,9 @@ def reproduce(scene):
     if rows:
         parts.append(page.table(("application", "version", "revision", "ranks"),
                                 rows))
-    for name in ("", "anatomy", "blast", "biomechanics"):
-        path = os.path.join(scene.folder, name, "parameters.prm")
+    for name, folder in [("", scene.folder)] + [
+            (name, getattr(scene, name).folder) for name in STAGES]:
+        path = os.path.join(folder, "parameters.prm")
         if os.path.exists(path):
             with files.reading(path), open(
                     path, encoding="utf-8") as file:

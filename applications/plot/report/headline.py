@@ -9,7 +9,7 @@ from plot.analysis import person
 from plot.readers import files
 from plot.readers.scene import COARSER
 from plot.report import (error_estimate, injury_table, load_impulses, page,
-                         reflections, verdict)
+                         reflections, unfinished, verdict)
 from plot.report.energy_audit import EnergyAudit
 from plot.report.injury_thresholds import KNOWN, of_run
 
@@ -224,7 +224,7 @@ def _loads_alone(scene):
 
 def _certainty(scene, judged):
     """How sure the answer is, a sentence each."""
-    parts = []
+    parts = unfinished.reservations(scene)
     if injury_table.lungs_by(scene) == "skin":
         parts.append((
             "The wave in the open is that at the nearest skin. Chest and lungs "

@@ -3,7 +3,8 @@
 """The report on a scene: all its sections, in order."""
 
 from plot.report import (accuracy, blast_sections, body_sections, headline,
-                         injury_table, page, paper, scene_sections, summary)
+                         injury_table, page, paper, scene_sections, summary,
+                         unfinished)
 
 
 def build(scene):
@@ -18,25 +19,31 @@ def build(scene):
         page.tag("div", lead.tables(), lead.doubts()), kind="first"))
     parts.section("The scene", *scene_sections.section(scene))
     parts.section("Events over time", *scene_sections.timeline(scene))
-    parts.section("Pressure in the air", *blast_sections.air(scene))
+    of_blast = unfinished.note(scene, "blast")
+    of_body = unfinished.note(scene, "blast", "biomechanics")
+    parts.section("Pressure in the air", *of_blast, *blast_sections.air(scene))
     people = blast_sections.people(scene)
     if people:
-        parts.section("People in the air", *people)
-    parts.section("Pressure on the skin", *blast_sections.skin(scene))
-    parts.section("Histories on the skin", *blast_sections.histories(scene))
+        parts.section("People in the air", *of_blast, *people)
+    parts.section("Pressure on the skin", *of_blast,
+                  *blast_sections.skin(scene))
+    parts.section("Histories on the skin", *of_blast,
+                  *blast_sections.histories(scene))
     # What was not asked for is not missing.
     has_body = scene.biomechanics.exists or facts.get(
         "question") in (None, "injury")
     if has_body:
-        parts.section("Stress waves in the body", *body_sections.waves(scene))
-        parts.section("Histories in the tissue",
+        parts.section("Stress waves in the body", *of_body,
+                      *body_sections.waves(scene))
+        parts.section("Histories in the tissue", *of_body,
                       *body_sections.histories(scene))
-    parts.section("Injury", *injury_table.table(scene, judged))
+    parts.section("Injury", *of_body, *injury_table.table(scene, judged))
     if paper.is_that_scene(scene):
         parts.section("Comparison with the published simulation",
                       *paper.section(scene))
     if has_body:
-        parts.section("Energy of the body", *body_sections.energy(scene))
+        parts.section("Energy of the body", *of_body,
+                      *body_sections.energy(scene))
     parts.section("Conservation of the gas",
                   *blast_sections.conservation(scene))
     parts.section("Assumptions", *accuracy.plan(scene))
