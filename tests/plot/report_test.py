@@ -36,12 +36,12 @@ import summaries  # noqa: E402 (after the path of the module)
 
 from plot import command_line  # noqa: E402 (after the path of the package)
 from plot.analysis import person, signals, wave_times  # noqa: E402
-from plot.figures import (body_loads, body_views, plane_cuts,  # noqa: E402
-                          style)
-from plot.readers import loads, tables  # noqa: E402
+from plot.figures import (body_cuts, body_loads, body_views,  # noqa: E402
+                          plane_cuts, style)
+from plot.readers import fields, loads, tables  # noqa: E402
 from plot.readers.scene import Scene  # noqa: E402
 from plot.report import (accuracy, blast_sections,  # noqa: E402
-                         error_estimate, headline, injury_table, injury_thresholds,
+                         body_sections, error_estimate, headline, injury_table, injury_thresholds,
                          page as html_page, reflections, scene_sections, summary,
                          verdict)
 
@@ -1003,8 +1003,8 @@ class ReportTest(unittest.TestCase):
         text = text_of(Made(folder).page)
         self.expect(text, "to the right of a standing person of 1.62 m and "
                     "58 kg", "rotation of the body 0, 0, 90 degrees",
-                    "coronal plane (y = 0)")
-        self.assertNotIn("sagittal", text)
+                    "sagittal plane (x = 0)", "parallel plane, x = −0.04 m,")
+        self.assertNotIn("coronal", text)
         self.assertNotIn("published simulation", text)
         scene = Scene(folder)
         views = blast_sections.views_of(scene)
@@ -1406,6 +1406,73 @@ class ReportTest(unittest.TestCase):
         self.expect(text_of(made.page), "Missing: fields of biomechanics.",
                     "5.5 kg of C-4", "3.25 m/s",
                     "eardrums may rupture (13 %, ")
+
+    def test_lying_person(self):
+        """Cuts are those of the standing person, of the head, too."""
+        scenes = []
+        for angles in ("0, 0, 0", "0, -90, 0", "0, 0, 90", "10, -70, 20"):
+            axes = person.turned_axes({"Body/Rotation": angles})
+            folder = self.copy_without("blast/fields")
+            change_json(folder, "scene.json", lambda facts, axes=axes:
+                        facts["person"].update(zip(
+                            ("forward", "left", "up"), axes.tolist())))
+            for number in range(3):
+                tiny_scene.write_mesh(os.path.join(
+                    folder, f"biomechanics/fields/solid_{number:04d}.vtu"),
+                    2e3 * number, axes=axes)
+            scenes.append(Scene(folder))
+            # Without what scene knows of the person.
+            alone = Scene(folder)
+            alone.facts = {}
+            alone.biomechanics.parameters.update({
+                "Body/Rotation": angles, "Body/Kind": "phantom",
+                "Mesh/Kind": "body"})
+            scenes.append(alone)
+        with unittest.mock.patch.object(html_page, "render",
+                                        damage_test.paint_roughly), \
+                unittest.mock.patch.object(style, "save",
+                                           damage_test.draw_nothing):
+            words = [text_of("".join(map(str, body_sections.waves(scene))))
+                     for scene in scenes]
+        for scene, text in zip(scenes, words):
+            self.expect(text, "Pressure in the head, in the sagittal plane",
+                        "each element of the head over the whole run")
+            self.assertEqual("drawn with the head up" in text,
+                             person.axes(scene)[2, 2] < 0.99)
+        areas = []
+        for scene in scenes:
+            pieces = scene.field_list()[1][1]
+            frame = body_sections._frame(scene, pieces)
+            shape, values = fields.cut_values(pieces, frame.middle + 1e-4,
+                                              "pressure", frame.axes)
+            low = body_cuts.limits([shape], True)[1][0]
+            head = shape[:, :, 1].max(axis=1) > low
+            area = 0.5 * np.abs(np.cross(
+                shape[:, 2] - shape[:, 0], shape[:, 3] - shape[:, 1]))
+            areas.append([(area * values)[part].sum() / area[part].sum()
+                          for part in (head, ~head)] + [area.sum()])
+        np.testing.assert_allclose(areas, [areas[0]] * len(areas), 1e-4)
+
+    def test_unfinished_stage(self):
+        """How far it has come stands at the sections that show it; a stage that
+        the scene has not asked for is not shown."""
+        folder = self.copy_without("blast/fields", "biomechanics/fields.pvd")
+        change_json(folder, "biomechanics/summary.json", lambda facts:
+                    facts.update(status="stopped", time=5.1e-3))
+        text = text_of(Made(folder).page)
+        words = ("he stage biomechanics is unfinished (stopped), at 5.10 ms of "
+                 "6.00 ms: extremes")
+        # What could change the verdict, and four sections.
+        self.assertEqual(text.count(words), 5, text[:3000])
+        self.assertNotIn("unfinished", self.text)
+        change_json(folder, "scene.json", lambda facts: facts.update(
+            question="loads", stages=[
+                stage for stage in facts["stages"]
+                if not stage["name"].endswith("biomechanics")]))
+        text = text_of(Made(folder).page)
+        for words in ("unfinished", "Stress waves", "Histories in the tissue",
+                      "Energy of the body", "HIC15", "biomechanics/"):
+            self.assertNotIn(words, text)
 
     def test_head_alone(self):
         """No lungs and legs in it, no places named on it, and brain where

@@ -301,8 +301,9 @@ def write_fields(folder, times=(0., 2e-3, 4e-3)):
     write(os.path.join(folder, "fields.pvd"), "\n".join(listed))
 
 
-def write_mesh(path, scale, stature=1.7, tissue=None):
-    """A column of cubes with brain and lung, or of one tissue."""
+def write_mesh(path, scale, stature=1.7, tissue=None, axes=np.eye(3)):
+    """A column of cubes with brain and lung, or of one tissue; @p axes: where
+    its front, left side and top point to, as rows."""
     x, y, z = np.meshgrid(np.linspace(-0.1, 0.1, 5),
                           np.linspace(-0.1, 0.1, 5),
                           np.linspace(0., stature, 18),
@@ -318,7 +319,7 @@ def write_mesh(path, scale, stature=1.7, tissue=None):
     height = points[cells].mean(axis=1)[:, 2]
     tissue = np.where(height > 1.5, 4, np.where(height > 1., 7, 3)) \
         if tissue is None else np.full(height.shape, tissue)
-    arrays = [("points", points.astype(np.float32), 3, "m"),
+    arrays = [("points", (points @ axes).astype(np.float32), 3, "m"),
               ("connectivity", cells.astype(np.uint32), 1, ""),
               ("displacement", np.full(points.shape, 1e-6 * scale,
                                        np.float32), 3, "m"),

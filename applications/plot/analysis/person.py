@@ -6,10 +6,18 @@ import re
 
 import numpy as np
 
+from plot.readers import files
+
 # By the side of the person that is turned to the charge: where the charge is.
 WHERE = {"front": "in front of", "left side": "to the left of",
          "back": "behind", "right side": "to the right of",
          "head": "beyond the head of", "feet": "beyond the feet of"}
+# Bodies that face +x before Body/Rotation.
+WITH_SIDES = ("phantom", "image", "surface")
+# The parasagittal plane: so far from the middle [m], but at most such a part of
+# the body's half width, which matters for a head alone.
+BESIDE = 0.0801
+MOST_BESIDE = 0.4
 
 
 def part_at(gauge):
@@ -20,10 +28,31 @@ def part_at(gauge):
 
 def axes(scene):
     """Where the person's front, left side and head point to, as rows; None of a
-    body without sides of its own."""
+    body without sides of its own. Of stages that were run one by one by their
+    entries."""
     known = scene.facts.get("person") or {}
+    entries = scene.biomechanics.parameters
+    if not scene.facts and entries.get("Mesh/Kind") == "body" \
+            and entries.get("Body/Kind") in WITH_SIDES:
+        return turned_axes(entries)
     found = [known.get(name) for name in ("forward", "left", "up")]
     return None if None in found else np.array(found)
+
+
+def turned_axes(entries):
+    """Where front, left side and top of a body point to by the entry
+    Body/Rotation of a stage, as rows."""
+    angles = files.points_of(entries.get("Body/Rotation"))
+    axes_found = np.eye(3)
+    for axis, angle in enumerate(np.radians(angles[0]) if len(angles) else ()):
+        first, second = (axis + 1) % 3, (axis + 2) % 3
+        turn = np.eye(3)
+        turn[first, first] = turn[second, second] = np.cos(angle)
+        turn[second, first] = np.sin(angle)
+        turn[first, second] = -np.sin(angle)
+        axes_found = axes_found @ turn.T
+    # Quarters of a turn are exact.
+    return np.where(np.abs(axes_found) < 1e-12, 0., axes_found)
 
 
 def is_person(scene):
@@ -49,12 +78,43 @@ def side_to_charge(scene):
     return (scene.facts.get("person") or {}).get("side_to_charge")
 
 
-def plane_normal_to(scene, axis):
-    """What anatomy calls the plane through the body that is normal to an axis
-    of the scene: "sagittal" and the like; "" if it has no name."""
-    known = axes(scene)
-    if known is None:
-        return ""
-    along = np.abs(known[:, axis])
-    return ("coronal", "sagittal", "transverse")[int(along.argmax())] \
-        if along.max() > 0.99 else ""
+class Frame:
+    """The axes of the body itself, front, left and up as rows, and the plane that
+    cuts are parallel to: the sagittal one through a person's brain, y = 0 of a
+    body without sides of its own."""
+
+    def __init__(self, scene, points, brain):
+        """@p brain: those of the points that are corners of its elements."""
+        known = axes(scene)
+        self.is_person = known is not None
+        self.axes = known if self.is_person else np.eye(3)
+        own = points @ self.axes.T
+        self.height = np.ptp(own[:, 2])
+        left = own[:, 1]
+        self.half_width = 0.5 * np.ptp(left)
+        if self.is_person:
+            left = brain @ self.axes[1] if len(brain) else left
+        elif left.min() <= 0. < left.max():
+            left = np.zeros(1)
+        self.middle = 0.5 * float(left.min() + left.max())
+        if abs(self.middle) < 1e-3 * self.half_width:
+            self.middle = 0.
+
+    def beside(self):
+        """How far the parasagittal plane is from the middle [m]."""
+        return min(BESIDE, MOST_BESIDE * self.half_width)
+
+    def is_upright(self):
+        return self.axes[2, 2] > 0.99
+
+    def place_in_words(self, beside):
+        """Where the plane is so far [m] to the left of the middle: "y = 0", or
+        "0.08 m to the left"; "" of the middle of a body that is turned by other
+        than quarters."""
+        along = np.abs(self.axes[1])
+        axis = int(along.argmax())
+        if along[axis] < 0.9999:
+            return f"{beside:.2g} m to the left" if beside else ""
+        place = np.sign(self.axes[1, axis]) * (self.middle + beside)
+        return f"{'xyz'[axis]} = {place + 0.:.2g}".replace("-", "−") \
+            + " m" * bool(place)

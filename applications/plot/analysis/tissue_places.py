@@ -6,6 +6,7 @@ import os
 
 import numpy as np
 
+from plot.analysis import person
 from plot.readers import files, tables
 
 SOFT, SKIN, SKELETON, BRAIN, CORD, FLUID, LUNG, HEART, LIVER = range(1, 10)
@@ -69,9 +70,12 @@ def find_places(scene):
               for number, (point, tissue) in enumerate(zip(points, tissues), 1)]
     _name_brain(scene, places)
     known = scene.loads().places() if scene.loads() else {}
+    of_person = person.axes(scene)
+    left = np.eye(3)[1] if of_person is None else of_person[1]
     for place in places:
         if place.tissue == LUNG:
-            place.name = ("left" if place.point[1] > 0. else "right") + " lung"
+            place.name = ("left" if left @ place.point > 0. else "right") \
+                + " lung"
         elif place.tissue in (SOFT, SKIN, SKELETON):
             _name_by_skin(place, known)
     _number_doubles(places)

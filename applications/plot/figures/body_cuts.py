@@ -14,11 +14,23 @@ from plot.readers import fields, vtk_file
 from plot.figures import style
 
 
+HEAD = 0.3  # height of what is drawn of a head [m]
+
+
+def limits(shapes, head_only):
+    """Of polygons, or of those in their upper part, left and right, bottom and
+    top."""
+    points = np.concatenate([shape.reshape(-1, 2) for shape in shapes])
+    top = points[:, 1].max()
+    low = max(points[:, 1].min(), top - HEAD) if head_only \
+        else points[:, 1].min()
+    across = points[points[:, 1] >= low, 0]
+    return (across.min() - 0.01, across.max() + 0.01), (low, top + 0.01)
+
+
 def draw_pressures(panels, head_only, path):
-    """What cut_fields() gave, of the whole body or of its upper 0.3 m."""
-    top = max(shape[:, :, 1].max() for _, shape, _ in panels)
-    bottom = min(shape[:, :, 1].min() for _, shape, _ in panels)
-    low = max(bottom, top - 0.3) if head_only else bottom
+    """What cut_fields() gave, of the whole body or of its upper HEAD."""
+    across, (low, top) = limits([shape for _, shape, _ in panels], head_only)
     shown = [values[shape[:, :, 1].max(axis=1) > low]
              for _, shape, values in panels]
     largest = np.percentile(np.abs(np.concatenate(shown)), 99.8)
@@ -36,9 +48,8 @@ def draw_pressures(panels, head_only, path):
             shape, array=values * factor, cmap=style.DIVERGING, norm=norm,
             edgecolors="face", linewidths=0.1))
         axis.set_aspect("equal")
-        axis.autoscale_view()
-        if head_only:
-            axis.set_ylim(low, top + 0.01)
+        axis.set_xlim(across)
+        axis.set_ylim(low, top)
         axis.set_title(f"{1e3 * time:.2f} ms")
     figure.colorbar(axes[0, 0].collections[0], ax=axes, shrink=0.7,
                     label=f"pressure [{unit}]")

@@ -59,14 +59,23 @@ def cut(mesh, place, normal=1):
             np.concatenate([found[~is_tilted], found[is_tilted][owners]]))
 
 
-def cut_fields(fields, place):
-    """Of each output the time, and of the cells that y = place cuts polygons
-    and pressures, averaged ones if there are."""
+def read_turned(piece, axes):
+    """A file with its points along some axes, which are rows."""
+    mesh = vtk_file.read(piece)
+    if not np.array_equal(axes, np.eye(3)):
+        mesh["points"] = mesh["points"] @ np.transpose(axes)
+    return mesh
+
+
+def cut_fields(fields, place, axes=np.eye(3)):
+    """Of each output the time, and of the cells that the plane at a place along
+    the second axis cuts polygons, of the two others, and pressures, averaged
+    ones if there are."""
     panels = []
     for time, pieces in fields:
         polygons, values = [], []
         for piece in pieces:
-            mesh = vtk_file.read(piece)
+            mesh = read_turned(piece, axes)
             shape, found = cut(mesh, place)
             polygons.append(shape)
             # Averages know nothing of what alternates from element to element.
@@ -77,12 +86,12 @@ def cut_fields(fields, place):
     return panels
 
 
-def cut_values(pieces, place, name):
-    """Of one output polygons and a quantity of the cells that y = place cuts;
+def cut_values(pieces, place, name, axes=np.eye(3)):
+    """Of one output polygons and a quantity of the cells that this plane cuts;
     None for a quantity that it does not have."""
     polygons, values = [], []
     for piece in pieces:
-        mesh = vtk_file.read(piece)
+        mesh = read_turned(piece, axes)
         if name not in mesh:
             return None
         shape, found = cut(mesh, place)

@@ -13,13 +13,10 @@ from matplotlib.colors import Normalize
 from plot.readers import fields, files
 from plot.analysis import person, signals, tissue_places, wave_times
 from plot.figures import body_cuts, style
-from plot.report import injury_table, page
+from plot.report import page
 from plot.report.energy_audit import EnergyAudit
 
-# The parasagittal plane: so far from y = 0 [m], but at most such a part of the
-# body's half width, which matters for a head alone.
-BESIDE = 0.0801
-MOST_BESIDE = 0.4
+OFF = 1e-4  # of cuts from the plane of symmetry, where elements have faces [m]
 HEAD_ALONE = 0.4  # m, least height of what is more than a head
 # Extremes of each element over the run: fields, titles, units, and whether
 # they have two signs.
@@ -52,23 +49,24 @@ def waves(scene):
     if not outputs:
         return [page.missing("fields of biomechanics")]
     with files.reading(scene.biomechanics.path("fields")):
-        points = np.concatenate([mesh["points"] for mesh in
-                                 scene.field(outputs[0][1])])
-        place = min(BESIDE, MOST_BESIDE * points[:, 1].max())
-        is_head = np.ptp(points[:, 2]) < HEAD_ALONE
-        # Beside the plane of symmetry, where elements have no faces.
-        panels = fields.cut_fields(outputs, 1e-4)
+        frame = _frame(scene, outputs[0][1])
+        place = frame.middle + frame.beside()
+        is_head = frame.height < HEAD_ALONE
+        panels = fields.cut_fields(outputs, frame.middle + OFF, frame.axes)
         whole = page.drawn(body_cuts.draw_pressures, panels, is_head)
-        in_middle = _tissues_at(scene, outputs[0][1], 1e-4)
+        in_middle = _tissues_at(scene, outputs[0][1], frame.middle + OFF,
+                                frame.axes)
         head = page.drawn(body_cuts.draw_pressures, panels, True) \
             if "brain" in in_middle and not is_head else None
-        panels_beside = fields.cut_fields(outputs, place)
+        panels_beside = fields.cut_fields(outputs, place, frame.axes)
         beside = page.drawn(body_cuts.draw_pressures, panels_beside, is_head)
-        tissues = _tissues_at(scene, outputs[0][1], place)
+        tissues = _tissues_at(scene, outputs[0][1], place, frame.axes)
         stiff = " The stiff skeleton stands out." \
             if "skeleton" in in_middle else ""
     times = page.moments([time for time, _ in outputs])
-    middle = _middle_plane(scene)
+    middle = _middle_plane(frame)
+    upright = "" if frame.is_upright() else \
+        " The body is drawn with the head up, its front to the right."
     parts = [
         page.figure(whole, "The body cut along its middle, coloured by the "
                     f"pressure in its tissues, {_span(panels)}, after "
@@ -76,15 +74,16 @@ def waves(scene):
                     f"Pressure in the {middle}, with one colour "
                     "scale for all times: red is compression, blue tension. "
                     "Colours follow the square root of the pressure."
-                    + stiff),
-        page.figure(beside, f"The body cut {place:.2g} m beside its middle, "
-                    f"coloured by the pressure, {_span(panels_beside)}, after "
-                    f"{times}.",
-                    f"Pressure in a parallel plane, y = {place:.2g} m, "
+                    + stiff + upright),
+        page.figure(beside, f"The body cut {frame.beside():.2g} m beside its "
+                    f"middle, coloured by the pressure, {_span(panels_beside)},"
+                    f" after {times}.",
+                    "Pressure in a parallel plane, "
+                    f"{frame.place_in_words(frame.beside())}, "
                     f"through {tissues}, with one colour scale for all "
                     "times.")]
     if head is not None:
-        top = {"head": "head", "body": "top of the body"}[_head(scene)]
+        top = _top(scene)
         parts.append(page.figure(
             head, f"The {top} cut along its middle, coloured by the "
             f"pressure after {times}.",
@@ -94,13 +93,25 @@ def waves(scene):
         "Pressures are averages over neighbouring elements: in nearly "
         "incompressible tissue, the pressure of single elements oscillates "
         "from one to the next by numerical error.", kind="note"),
-        *_peaks(scene)]
+        *_peaks(scene, frame, "brain" in in_middle)]
 
 
-def _middle_plane(scene):
-    """The plane y = 0, by its name in anatomy where it has one."""
-    name = person.plane_normal_to(scene, 1)
-    return f"{name} plane (y = 0)" if name else "plane y = 0"
+def _frame(scene, pieces):
+    """The Frame of the body that an output shows."""
+    meshes = scene.field(pieces)
+    return person.Frame(
+        scene, np.concatenate([mesh["points"] for mesh in meshes]),
+        np.concatenate([mesh["points"][mesh["connectivity"].reshape(-1, 8)[
+            mesh["tissue"] == tissue_places.BRAIN]].reshape(-1, 3)
+                        for mesh in meshes]))
+
+
+def _middle_plane(frame):
+    """The plane of the cuts, by its name in anatomy where it has one."""
+    where = frame.place_in_words(0.)
+    if not frame.is_person:
+        return f"plane {where}"
+    return "sagittal plane" + (f" ({where})" if where else "")
 
 
 def _span(panels):
@@ -110,50 +121,54 @@ def _span(panels):
                                  for bound in signals.extremes(values))
 
 
-def _tissues_at(scene, pieces, place):
-    """Tissues in a parasagittal plane, in words."""
-    numbers = fields.cut_values(pieces, place, "tissue")[1]
+def _tissues_at(scene, pieces, place, axes):
+    """Tissues in a plane that cuts are parallel to, in words."""
+    numbers = fields.cut_values(pieces, place, "tissue", axes)[1]
     names = tissue_places.names(scene)
     return page.joined(names.get(int(number), tissue_places.OTHER)
                        for number in np.unique(numbers))
 
 
-def _head(scene):
+def _top(scene):
     """What the top of a body with a brain is called."""
     return "head" if scene.facts.get("body") not in ("shape", "mesh") \
-        else "body"
+        else "top of the body"
 
 
-def _peaks(scene):
-    """Extremes of each element over the run, if recorded."""
+def _peaks(scene, frame, has_head):
+    """Extremes of each element over the run, if recorded, of the head where the
+    cut has one."""
     pieces = scene.field_list()[-1][1]
     found = []
     for name, title, unit, is_signed in PEAKS:
         with files.reading(scene.biomechanics.path("fields")):
-            cut = fields.cut_values(pieces, 1e-4, name)
+            cut = fields.cut_values(pieces, frame.middle + OFF, name,
+                                    frame.axes)
         if cut is not None:
             found.append((title, unit, is_signed, *cut))
     if not found:
         return []
     averaged = scene.biomechanics.parameters.get("Peaks/Pressure") == "averaged"
-    body = _head(scene) if injury_table.has_brain(scene) else "body"
+    body = _top(scene) if has_head else "body"
     return [page.figure(
-        _draw_peaks(found),
+        _draw_peaks(found, has_head),
         f"The {body} cut along its middle, coloured by "
         + ", ".join(title for title, *_ in found) + ".",
         f"Extremes of each element of the {body} over the whole run, in the "
-        f"{_middle_plane(scene)}. Pressures are " + (
+        f"{_middle_plane(frame)}. Pressures are " + (
             "averages over neighbouring elements." if averaged else
             "those of single elements, which oscillate from one to the next "
             "by numerical error."))]
 
 
-def _draw_peaks(found):
+def _draw_peaks(found, head_only):
+    across, (low, top) = body_cuts.limits([polygons for *_, polygons, _ in
+                                           found], head_only)
+    height = np.clip(1.9 * (top - low) / (across[1] - across[0]), 2.6, 5.2)
     figure, axes = plt.subplots(1, len(found), squeeze=False,
-                                figsize=(2.5 * len(found), 2.6))
+                                figsize=(2.5 * len(found), height))
     for axis, (title, unit, is_signed, polygons, values) in zip(axes.flat,
                                                                 found):
-        low = max(polygons[:, :, 1].max() - 0.3, polygons[:, :, 1].min())
         shown = values[polygons[:, :, 1].max(axis=1) > low]
         largest = float(np.percentile(np.abs(shown), 99.5)) or 1.
         factor, unit = style.scale_unit(unit, largest)
@@ -164,8 +179,8 @@ def _draw_peaks(found):
             cmap=style.DIVERGING if is_signed else style.SEQUENTIAL,
             linewidths=0.1))
         axis.set_aspect("equal")
-        axis.autoscale_view()
-        axis.set_ylim(low, polygons[:, :, 1].max() + 0.01)
+        axis.set_xlim(across)
+        axis.set_ylim(low, top)
         axis.set_axis_off()
         axis.set_title(title, fontsize=9)
         figure.colorbar(axis.collections[0], ax=axis, shrink=0.7,
@@ -241,7 +256,9 @@ def _cavitation(scene):
     tissues = scene.biomechanics.parameters.get(
         "Materials/Cavitating tissues")
     return "the model has no cavitation." if not tissues else (
-        f"{tissues} cavitate in the model, below Materials/Least pressure.")
+        f"{tissues} cavitate in the model, below "
+        + page.quantity((scene.biomechanics.parameter(
+            "Materials/Least pressure") or [np.nan])[0], "Pa") + ".")
 
 
 def _draw_first(probes, places):

@@ -45,7 +45,7 @@ def facts(scene):
     if along is not None:
         add("distance to the skin along x", page.given(along, "m"))
     add("body", scene.facts.get("body"))
-    add("size of the body" if person.axes(scene) is None else "person",
+    add("person" if person.is_person(scene) else "size of the body",
         person.words(scene))
     if person.place_of_charge(scene) != "from":
         add("side of the charge", person.place_of_charge(scene)
