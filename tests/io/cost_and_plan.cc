@@ -1,19 +1,85 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/base/run/time_parameters.h>
+#include <contrecoup/base/system/processor_time.h>
 #include <contrecoup/io/application/cost_forecast.h>
 #include <contrecoup/io/application/cost_laws.h>
 #include <contrecoup/io/file/temporary_folder.h>
 #include <contrecoup/io/run/cost_cache.h>
 #include <contrecoup/io/run/plan_table.h>
 
+#include "oscillator.h"
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <memory>
+#include <optional>
 
 using namespace contrecoup;
 using namespace contrecoup::io;
+
+namespace
+{
+/// A stage in 2-D that is followed by one in 3-D, in 200 steps of 1 ms of
+/// processor time each.
+class SlowStages : public Oscillator
+{
+public:
+  explicit SlowStages(const double hand_over)
+    : Oscillator(MPI_COMM_WORLD)
+    , hand_over_(hand_over)
+  {}
+  StepReport advance(const double largest_step) override
+  {
+    const double begin = processor_seconds();
+    while (processor_seconds() < begin + 1e-3)
+    {}
+    return Oscillator::advance(std::min(largest_step, 0.005));
+  }
+  unsigned int dimension() const override
+  {
+    return time() < hand_over_ ? 2 : 3;
+  }
+  std::optional<double> expected_hand_over() override
+  {
+    return time() < hand_over_ ? std::optional(hand_over_) : std::nullopt;
+  }
+
+private:
+  const double hand_over_; ///< [s]
+};
+} // namespace
+
+// A trial of 40 ms.
+TEST(CostForecast, IsUnknownWhereNoTrialComesToTheLastStage)
+{
+  for (const double hand_over : {0.01, 0.9})
+  {
+    ApplicationDescription description = oscillator_application();
+    description.create = [&](dealii::ParameterHandler &, MPI_Comm) {
+      return std::make_unique<SlowStages>(hand_over);
+    };
+    description.adapts = [](const dealii::ParameterHandler &) { return true; };
+    dealii::ParameterHandler prm;
+    TimeParameters::declare_parameters(prm);
+    description.declare_parameters(prm);
+    prm.enter_subsection("Time");
+    prm.set("End time", "1");
+    prm.leave_subsection();
+    CostEstimate rough;
+    rough.cells = rough.unknowns = 7.;
+    Collective collective(MPI_COMM_WORLD);
+    const CostEstimate cost =
+      forecast_cost(description, prm, rough, 0.02, collective);
+    const bool is_known = hand_over < 0.5;
+    for (const double number :
+         {cost.cells, cost.unknowns, cost.memory, cost.output, cost.steps})
+      EXPECT_EQ(number > 0., is_known) << hand_over;
+  }
+}
 
 // Both terms are found again from two values.
 TEST(CostForecast, ExtrapolatesSurfacesAndVolumes)

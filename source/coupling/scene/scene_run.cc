@@ -187,8 +187,13 @@ std::string SceneRun::list_unfinished_tasks() const
   std::vector<std::string> kept, replaced;
   for (const SceneTask &task : tasks_)
     (task.is_finished() ? kept : replaced).push_back(task.name());
-  return "makes " + join(replaced, ", ") + " anew" +
-         (kept.empty() ? "" : " and takes " + join(kept, ", ") + " as it is");
+  std::vector<std::string> does;
+  if (!replaced.empty())
+    does.push_back("makes " + join(replaced, ", ") + " anew");
+  if (!kept.empty())
+    does.push_back("takes " + join(kept, ", ") +
+                   (kept.size() > 1 ? " as they are" : " as it is"));
+  return join(does, " and ");
 }
 
 
@@ -296,8 +301,13 @@ void SceneRun::start()
     else
     {
       if (command_.overwrite && claim_->manifest().exists())
-        show_line("--overwrite " + list_unfinished_tasks() +
-                  "; what was there before goes when the new is complete");
+      {
+        const std::string words = list_unfinished_tasks();
+        show_line("--overwrite " + words +
+                  (begins_with(words, "makes")
+                     ? "; what was there before goes when the new is complete"
+                     : ""));
+      }
       claim_->resume();
     }
     io::write_file(path("parameters.prm"), [&](std::ostream &out) {

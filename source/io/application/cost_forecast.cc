@@ -255,12 +255,15 @@ namespace io
              std::log(largest_misprediction);
     }
 
-    /// Whether the last trials refine layers, not everything still.
+    /// Whether both last trials refine layers, not everything still, and began
+    /// in the same stages: cells of another run say nothing.
     bool knows_cells(const std::vector<Trial> &trials)
     {
       if (trials.size() < 2)
-        return true;
+        return false;
       const Trial &before = trials[trials.size() - 2], &last = trials.back();
+      if (before.stages.size() != last.stages.size())
+        return false;
       const double rate =
         std::log2(largest_cells(last) / std::max(1., largest_cells(before))) /
         (before.levels - last.levels);
@@ -293,7 +296,8 @@ namespace io
                          brief(stage.largest_cells) + " cells at most");
       return "  cells " + brief(std::pow(2., trial.levels)) +
              " times as large: " + join(stages, ", ") + "; " +
-             duration(trial.seconds) + ", " + bytes(trial.output_bytes());
+             duration(trial.seconds) + ", " + bytes(trial.output_bytes()) +
+             (trial.lacks_stage ? ", stopped before its last stage" : "");
     }
 
     /// Levels by which the first trial must be coarser to cost next to
@@ -388,6 +392,9 @@ namespace io
       if (!trial)
         continue;
       log_line(description_of(*trial));
+      // Finer ones would not come to their last stage either.
+      if (trial->lacks_stage)
+        break;
       // The cost of fields is about the same in all trials.
       const double steady = trial->field_seconds;
       const double before =

@@ -370,6 +370,7 @@ namespace io
       {
         if (!measured.is_too_long())
           throw;
+        trial.lacks_stage = simulation.expected_hand_over().has_value();
         output.flush();
         save_results(folder, state, simulation, output, collective);
       }

@@ -172,6 +172,12 @@ def scene_run(case):
     require(statuses(output)["biomechanics"] == "finished",
             "other tissues did not make biomechanics run again")
     require(injury_table(output) != before, "other tissues changed nothing")
+    # Another title leaves nothing to make.
+    _, out, _ = case.run(output, ["--overwrite", "--set", "Scene/Title=again",
+                                  "--set", "Tissues/Set=physiological",
+                                  "--set", "Scene/Report=false"])
+    require(re.search("^--overwrite takes anatomy, blast, .* as they are$", out,
+                      re.M), f"nothing is made anew, which is not said: {out}")
     require(os.stat(os.path.join(output, "blast", "loads.h5")).st_mtime_ns
             == loads, "the loads of a blast that was reused are new")
 

@@ -33,10 +33,12 @@ namespace io
    * mesh. Fields of the mesh grow with cells, what is recorded on a body like
    * its facets, tables like steps; pictures are those of the last trial.
    *
-   * Unknown (zero) are cells, memory and output where the last two trials
-   * refine nearly everything, the steps where the trials before the last one do
+   * Unknown (zero) are cells, memory and output of a mesh that changes where
+   * the last two trials refine nearly everything or have other stages, or where
+   * there is one alone, the steps where the trials before the last one do
    * not predict its steps within a factor of 1.4 or are too few for that, and
-   * the time if neither is known.
+   * the time if neither is known. A trial that its time limit stops before the
+   * last stage of the run tells nothing.
    *
    * If the environment variable CONTRECOUP_CHECK_LEVELS names the levels of a
    * first and a last trial, these are run regardless of time, so that cells,

@@ -45,6 +45,8 @@ namespace io
     double peak_memory = 0.;     ///< of all ranks [byte]
     double seconds = 0.;         ///< processor time of the trial itself [s]
     double field_seconds = 0.;   ///< part of `seconds` for fields [s]
+    /// Whether it was stopped before a stage of which nothing is known.
+    bool lacks_stage = false;
     /// Holds what the trial wrote, on the first rank only.
     std::shared_ptr<TemporaryFolder> folder;
 
