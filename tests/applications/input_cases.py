@@ -528,6 +528,18 @@ def thin_layers():
     yield ("layers of anatomy", "anatomy",
            shipped(ANATOMY, *head, entry("Mesh/Element size", "0.02")),
            "WARNING: layer 1, 2.5 mm (Body/Shape/Layers), layer 2, 6.5 mm")
+    may = ("WARNING: layer 1, 3 mm (Body/Shape/Layers) is thinner than the "
+           "diagonal of elements of 3 mm and may be in pieces; {} size of at "
+           "most 1.7 mm closes it")
+    alike = [*head, entry("Body/Shape/Layers", "0.003, 0.006, 0.005")]
+    yield ("layer as thick as elements of a scene", "scene",
+           shipped(SCENE, entry("Scene/End time", "0.005"), *alike,
+                   entry("Body/Shift", "0, 0, 1"),
+                   entry("Scene/Element size", "0.003")),
+           may.format("Scene/Element"))
+    yield ("layer as thick as elements of anatomy", "anatomy",
+           shipped(ANATOMY, *alike, entry("Mesh/Element size", "0.003")),
+           may.format("Mesh/Element"))
     yield ("skin of biomechanics", "biomechanics",
            shipped("biomechanics/quickstart.prm", skin),
            "WARNING: skin, 4 mm (Body/Phantom/Skin thickness) is thinner than "

@@ -94,6 +94,26 @@ TEST(BodyLayer, WarnsOfFewerElementsAcrossThanUsual)
   }
 }
 
+// Elements of a layer have no holes where their diagonal is its thickness.
+TEST(BodyLayer, WarnsOfALayerThatMayBeInPieces)
+{
+  const auto layers = layers_of({"Kind=shape",
+                                 "Shape/Shape=layered head",
+                                 "Shape/Layers=0.003, 0.0065, 0.005"});
+  const std::string layer = "WARNING: layer 1, 3 mm (Body/Shape/Layers) is "
+                            "thinner than the diagonal of elements of ",
+                    advice = " and may be in pieces; Element size of at most "
+                             "1.7 mm closes it";
+  // The others are thicker, or as thick as usual.
+  for (const auto &[size, words] :
+       {std::pair{0.003, "3 mm"}, std::pair{0.0018, "1.8 mm"}})
+    EXPECT_EQ(uncertain_layer_lines(layers, size, "Element size"),
+              Lines{layer + words + advice});
+  for (const double size : {0.0017, 0.0031})
+    EXPECT_EQ(uncertain_layer_lines(layers, size, "Element size"), Lines{});
+  EXPECT_EQ(uncertain_layer_lines(layers, 0.0029, "Element size").size(), 1U);
+}
+
 TEST(BodyLayer, KnowsLayersOfEachKindOfBody)
 {
   const std::vector<std::string> head{"Kind=image",

@@ -172,11 +172,10 @@ namespace coupling
                 layer.thickness != layer.usual &&
                 layer.thickness >= parameters_.element_size &&
                 row.name.substr(0, row.name.find(':')) == layer.part)
-              log_line("WARNING: " + layer.part + " of " +
-                       brief(1e3 * layer.thickness, 3) + " mm (" + layer.entry +
-                       ") is in " + std::to_string(row.components) +
-                       " pieces of elements; a smaller Mesh/Element size "
-                       "closes it");
+              log_line(layer_pieces_line(layer,
+                                         row.components,
+                                         parameters_.element_size,
+                                         "Mesh/Element size"));
       }
 
       std::string path(const std::string &name) const
@@ -417,6 +416,11 @@ namespace coupling
                             AnatomyParameters::usual_element_size,
                             "Mesh/Element size"))
         lines.push_back(remark_line(line));
+      // A run looks at the mesh; see warn_of_pieces().
+      if (command.check)
+        for (const std::string &line : uncertain_layer_lines(
+               parameters.layers, parameters.element_size, "Mesh/Element size"))
+          lines.push_back(line);
       return lines;
     }
 

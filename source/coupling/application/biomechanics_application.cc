@@ -86,8 +86,12 @@ namespace
       return {};
     const double usual = AnatomyParameters::usual_element_size;
     const double size = prm.get_double({"Mesh"}, "Element size");
+    const std::string entry = "Mesh/Element size";
+    const std::vector<BodyLayer> layers = read_layers(prm);
     std::vector<std::string> lines =
-      thin_layer_lines(read_layers(prm), size, usual, "Mesh/Element size");
+      thin_layer_lines(layers, size, usual, entry);
+    for (const std::string &line : uncertain_layer_lines(layers, size, entry))
+      lines.push_back(line);
     std::transform(lines.begin(), lines.end(), lines.begin(), remark_line);
     return lines;
   }

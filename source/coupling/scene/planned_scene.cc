@@ -81,11 +81,13 @@ void PlannedScene::find_remarks(dealii::ParameterHandler &prm)
   SceneParameters usual = parameters_;
   usual.element_size = 0.;
   usual.fit_elements(layout_->unturned);
-  for (const std::string &line : thin_layer_lines(read_layers(prm),
-                                                  parameters_.element_size,
-                                                  usual.element_size,
-                                                  "Scene/Element size"))
+  const std::vector<BodyLayer> layers = read_layers(prm);
+  const std::string entry = "Scene/Element size";
+  for (const std::string &line : thin_layer_lines(
+         layers, parameters_.element_size, usual.element_size, entry))
     remarks_.push_back(line);
+  uncertain_layers_ =
+    uncertain_layer_lines(layers, parameters_.element_size, entry);
 }
 
 

@@ -94,6 +94,8 @@ void SceneRun::write_forecast(const StageCosts &costs) const
 void SceneRun::check()
 {
   scene_->print(true);
+  for (const std::string &line : scene_->uncertain_layers())
+    show_line(line);
   warn_of_entries(*scene_, command_, prm_, collective_);
   for (SceneTask &task : tasks_)
     task.inspect(collective_);

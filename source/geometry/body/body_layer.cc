@@ -134,23 +134,53 @@ namespace
   }
 
 
+  /// Whether a layer is thinner than an element. Headers of images have single
+  /// precision.
+  bool is_thin(const BodyLayer &layer, const double element_size)
+  {
+    return layer.thickness < element_size * (1. - 1e-6);
+  }
+
+
+  /// Whether a layer is thinner than the diagonal of an element.
+  bool has_large_elements(const BodyLayer &layer, const double element_size)
+  {
+    return is_thin(layer, std::sqrt(3.) * element_size);
+  }
+
+
+  /// "skin, 4 mm (ENTRY), layer 1, 2 mm (ENTRY) are".
+  std::string words_of(const std::vector<BodyLayer> &layers)
+  {
+    std::vector<std::string> words;
+    for (const BodyLayer &layer : layers)
+      words.push_back(layer.part + ", " + millimetres(layer.thickness) + " (" +
+                      layer.entry + ")");
+    return join(words, ", ") + (words.size() > 1 ? " are" : " is");
+  }
+
+
+  /// "Scene/Element size of at most 1.7 mm closes it".
+  std::string remedy(const std::vector<BodyLayer> &layers,
+                     const std::string &entry,
+                     const std::string &them)
+  {
+    double least = layers.front().thickness;
+    for (const BodyLayer &layer : layers)
+      least = std::min(least, layer.thickness);
+    return entry + " of at most " + millimetres(closed_by(least)) + " closes " +
+           them;
+  }
+
+
   /// The line about these layers.
   std::string line_of(const std::vector<BodyLayer> &layers,
                       const double element_size,
                       const std::string &entry)
   {
-    std::vector<std::string> words;
-    double least = element_size;
-    for (const BodyLayer &layer : layers)
-    {
-      words.push_back(layer.part + ", " + millimetres(layer.thickness) + " (" +
-                      layer.entry + ")");
-      least = std::min(least, layer.thickness);
-    }
-    return join(words, ", ") + (words.size() > 1 ? " are" : " is") +
-           " thinner than the elements of " + millimetres(element_size) +
-           ", so that there are holes; " + entry + " of at most " +
-           millimetres(closed_by(least)) + " closes them";
+    return words_of(layers) + " thinner than the elements of " +
+           millimetres(element_size) + ", so that there are holes; " +
+           remedy(layers, entry, "them");
   }
 } // namespace
 
@@ -182,8 +212,7 @@ std::vector<std::string> thin_layer_lines(const std::vector<BodyLayer> &layers,
 {
   std::vector<BodyLayer> warned, remarked;
   for (const BodyLayer &layer : layers)
-    // Headers of images have single precision.
-    if (layer.thickness < element_size * (1. - 1e-6))
+    if (is_thin(layer, element_size))
       (layer.thickness * usual_size <
              layer.usual * element_size * (1. - 1e-6) ||
            layer.usual == 0.
@@ -196,5 +225,38 @@ std::vector<std::string> thin_layer_lines(const std::vector<BodyLayer> &layers,
   if (!remarked.empty())
     lines.push_back(line_of(remarked, element_size, entry));
   return lines;
+}
+
+
+std::vector<std::string>
+uncertain_layer_lines(const std::vector<BodyLayer> &layers,
+                      const double element_size,
+                      const std::string &entry)
+{
+  std::vector<BodyLayer> found;
+  for (const BodyLayer &layer : layers)
+    if (layer.thickness != layer.usual && !is_thin(layer, element_size) &&
+        has_large_elements(layer, element_size))
+      found.push_back(layer);
+  if (found.empty())
+    return {};
+  return {"WARNING: " + words_of(found) +
+          " thinner than the diagonal of elements of " +
+          millimetres(element_size) + " and may be in pieces; " +
+          remedy(found, entry, found.size() > 1 ? "them" : "it")};
+}
+
+
+std::string layer_pieces_line(const BodyLayer &layer,
+                              const unsigned int n_pieces,
+                              const double element_size,
+                              const std::string &entry)
+{
+  return "WARNING: " + layer.part + " of " + millimetres(layer.thickness) +
+         " (" + layer.entry + ") is in " + std::to_string(n_pieces) +
+         " pieces of elements" +
+         (has_large_elements(layer, element_size)
+            ? "; " + remedy({layer}, entry, "it")
+            : "");
 }
 } // namespace contrecoup

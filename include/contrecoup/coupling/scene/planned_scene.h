@@ -91,6 +91,12 @@ public:
     return remarks_;
   }
 
+  /// A warning of layers that may be in pieces, which the stage anatomy knows.
+  const std::vector<std::string> &uncertain_layers() const
+  {
+    return uncertain_layers_;
+  }
+
 private:
   /// What the tables tell of lungs at layout_at_trunk(); empty without one.
   std::string answer_at_trunk() const;
@@ -113,6 +119,6 @@ private:
   std::vector<TissuePlace> tissue_places_;
   std::vector<ChosenSide> sides_;
   std::vector<Assumption> plan_;
-  std::vector<std::string> remarks_;
+  std::vector<std::string> remarks_, uncertain_layers_;
 };
 } // namespace contrecoup::coupling

@@ -38,4 +38,21 @@ std::vector<std::string> thin_layer_lines(const std::vector<BodyLayer> &layers,
                                           double element_size,
                                           double usual_size,
                                           const std::string &entry);
+
+/**
+ * A warning of layers of the user's thickness that are no thinner than an
+ * element, but than its diagonal, which only the mesh itself shows to be whole;
+ * empty without any. Arguments as above.
+ */
+std::vector<std::string>
+uncertain_layer_lines(const std::vector<BodyLayer> &layers,
+                      double element_size,
+                      const std::string &entry);
+
+/// A warning of a layer whose elements are in that many pieces, with a size
+/// that closes it where elements are too large.
+std::string layer_pieces_line(const BodyLayer &layer,
+                              unsigned int n_pieces,
+                              double element_size,
+                              const std::string &entry);
 } // namespace contrecoup
