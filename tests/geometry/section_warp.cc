@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/geometry/body/body.h>
+#include <contrecoup/geometry/body/organ_fit.h>
 #include <contrecoup/geometry/shape/primitive_shapes.h>
 #include <contrecoup/geometry/shape/section_warp.h>
 
@@ -94,5 +95,36 @@ TEST(WarpedShape, HasTheVolumeAndNoLargerSlopeThanOne)
     {
       EXPECT_LE(std::abs(warped.value(a) - warped.value(b)), a.distance(b));
     }
+  }
+}
+
+
+TEST(OrganFit, MovesBonesIntoALimb)
+{
+  // A bone beside the middle of its limb, and one as thick as that.
+  const Cylinder limb({0.02, 0., -0.2}, {0.02, 0., 0.8}, 0.03);
+  constexpr double depth = 0.001;
+  for (const double radius : {0.015, 0.035})
+  {
+    const OrganSurface bone(
+      Cylinder({0., 0., 0.12}, {0., 0., 0.48}, radius), 0.006, 0.);
+    std::vector<SectionPair> pairs(7);
+    for (unsigned int i = 0; i < pairs.size(); ++i)
+      pairs[i].station = pairs[i].new_station = 0.1 * i;
+    const SectionWarp before({}, {}, pairs);
+    EXPECT_LT(bone.least_depth(limb, before), 0.);
+    const SectionWarp after = with_limb_inside(before, limb, bone, depth);
+    EXPECT_GE(bone.least_depth(limb, after), depth);
+    for (unsigned int i = 1; i < 6; ++i)
+    {
+      const SectionPair &pair = after.pairs()[i];
+      EXPECT_NEAR(pair.new_center[1], 0., 1e-3);
+      EXPECT_GT(pair.new_center[0], 0.005);
+      EXPECT_GT(pair.ratio[0], radius < 0.03 ? 0.9 : 0.6);
+    }
+    // What is deep enough stays as it is.
+    const SectionWarp again = with_limb_inside(after, limb, bone, depth);
+    for (unsigned int i = 0; i < 7; ++i)
+      EXPECT_EQ(again.pairs()[i].ratio[0], after.pairs()[i].ratio[0]);
   }
 }

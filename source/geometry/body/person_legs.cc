@@ -182,6 +182,7 @@ void PersonLegs::find_thighs()
   const double sides = patches_[result_.crotch][trunk_[result_.crotch]].y;
   for (unsigned int layer = bottom; layer < top; ++layer)
     label_thighs(layer, front, front + 0.5 * length, sides);
+  label_seat(bottom, front);
   result_.thigh_height =
     height_of_thighs(front + 0.75 * length, front + 0.95 * length);
   find_patches();
@@ -234,6 +235,22 @@ void PersonLegs::label_thighs(const unsigned int layer,
       grid_.labels[voxel] = static_cast<unsigned char>(
         place[1] > middle ? Region::left_thigh : Region::right_thigh);
   });
+}
+
+
+/// Gives what was followed as a leg under the trunk to the thighs, which else
+/// would draw the upper end of the lower leg to the hip.
+void PersonLegs::label_seat(const unsigned int bottom, const double front)
+{
+  // Thighs that slope to the knees are lower at the hip.
+  const std::size_t begin =
+    (bottom - std::lround(0.03 * n_layers_)) * layer_size();
+  for (std::size_t voxel = begin; voxel < grid_.labels.size(); ++voxel)
+    for (const auto &[leg, thigh] :
+         {std::pair(Region::left_leg, Region::left_thigh),
+          std::pair(Region::right_leg, Region::right_thigh)})
+      if (is(voxel, leg) && place_of(voxel)[0] <= front)
+        grid_.labels[voxel] = static_cast<unsigned char>(thigh);
 }
 
 

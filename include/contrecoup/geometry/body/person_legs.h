@@ -51,6 +51,7 @@ private:
                     double front,
                     double beyond_hands,
                     double middle);
+  void label_seat(unsigned int bottom, double front);
   double height_of_thighs(double from, double to) const;
   unsigned int largest_patch(unsigned int layer) const;
 };
