@@ -3,10 +3,12 @@
 # Copyright (C) 2026 by the Contrecoup authors
 """Plane cuts are read with their places, units and times."""
 
+import functools
 import os
 import sys
 import tempfile
 import unittest
+import unittest.mock
 
 import numpy as np
 
@@ -15,7 +17,56 @@ import tiny_files
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.dirname(
     os.path.dirname(os.path.abspath(__file__)))), "applications"))
 
+from plot.analysis import person  # noqa: E402
+from plot.figures import anatomy_mesh, style  # noqa: E402
 from plot.readers import fields, planes, vtk_file  # noqa: E402
+
+
+class OutsideTest(unittest.TestCase):
+    """A body is seen from its own sides, and from axes if it has none."""
+
+    SIZE = (0.2, 0.5, 1.7)  # from front to back, side to side, of height [m]
+
+    def views(self, entries):
+        """Titles, and widths in twentieths of the height, of a plate that a
+        stage turned."""
+        faces = []
+        for axis in range(3):
+            for side in (0., 1.):
+                face = np.zeros((4, 3))
+                face[:, axis] = side
+                face[[1, 2], (axis + 1) % 3] = 1.
+                face[[2, 3], (axis + 2) % 3] = 1.
+                faces.append((face * self.SIZE, (2. * side - 1.)
+                              * np.eye(3)[axis]))
+        axes = person.turned_axes(entries)
+        mesh = {"points": np.concatenate([face for face, _ in faces]) @ axes,
+                "connectivity": np.arange(24),
+                "normal": np.stack([normal for _, normal in faces]) @ axes}
+        shown = []
+
+        def keep(figure, _):
+            shown.extend((panel.get_title(), panel.images[0].get_extent())
+                         for panel in figure.axes)
+            style.plt.close(figure)
+        with unittest.mock.patch.object(style, "save", keep), \
+                unittest.mock.patch.object(
+                    anatomy_mesh, "render", functools.partial(
+                        anatomy_mesh.render, pixels=20)):
+            anatomy_mesh.draw_outside(mesh, "none",
+                                      person.axes_by_entries(entries))
+        return [(title, round(20. * (extent[1] - extent[0])
+                              / (extent[3] - extent[2])))
+                for title, extent in shown]
+
+    def test_turned(self):
+        wanted = [("front", 6), ("left side", 4), ("back", 6)]
+        for angles in ("0, 0, 0", "0, -90, 0", "0, 0, 90", "90, 0, -90"):
+            self.assertEqual(self.views({
+                "Body/Kind": "phantom", "Body/Rotation": angles}), wanted)
+        for nameless in ({"Body/Kind": "shape"}, {"Body/Kind": "surface"}):
+            self.assertEqual(self.views(nameless), [
+                ("from +x", 6), ("from +y", 4), ("from −x", 6)])
 
 
 class PlanesTest(unittest.TestCase):

@@ -32,11 +32,20 @@ def axes(scene):
     entries."""
     known = scene.facts.get("person") or {}
     entries = scene.biomechanics.parameters
-    if not scene.facts and entries.get("Mesh/Kind") == "body" \
-            and entries.get("Body/Kind") in WITH_SIDES:
-        return turned_axes(entries)
+    if not scene.facts and entries.get("Mesh/Kind") == "body":
+        return axes_by_entries(entries)
     found = [known.get(name) for name in ("forward", "left", "up")]
     return None if None in found else np.array(found)
+
+
+def axes_by_entries(entries):
+    """The same by the entries of a stage that has a body; None of one without
+    sides that are known."""
+    kind = entries.get("Body/Kind")
+    has_sides = kind in WITH_SIDES and (
+        kind != "surface" or
+        entries.get("Body/Surface/Organs", "none") != "none")
+    return turned_axes(entries) if has_sides else None
 
 
 def turned_axes(entries):

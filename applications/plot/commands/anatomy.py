@@ -9,7 +9,9 @@ from outside, cuts by tissue, and mesh quality.
 import csv
 import os
 
+from plot.analysis import person
 from plot.readers import files, vtk_file
+from plot.readers.stage import Stage
 from plot.figures import anatomy_mesh, style
 
 
@@ -26,8 +28,9 @@ def main(output_folder):
     pictures = style.pictures_folder(output_folder)
     surface = os.path.join(output_folder, "surface.vtu")
     if os.path.exists(surface):
-        anatomy_mesh.draw_outside(vtk_file.read(surface),
-                                  os.path.join(pictures, "body.png"))
+        anatomy_mesh.draw_outside(
+            vtk_file.read(surface), os.path.join(pictures, "body.png"),
+            person.axes_by_entries(Stage(output_folder).parameters))
     names = {int(row["tissue"]): row["tissue name"]
              for row in read_table(os.path.join(output_folder, "parts.csv"))}
     anatomy_mesh.draw_cuts(vtk_file.read(path), names,

@@ -9,6 +9,7 @@ from matplotlib.patches import Patch
 
 from plot.readers import fields
 from plot.figures import style
+from plot.figures.body_views import NAMELESS
 
 # By the numbers of tissues: none, soft tissue, skin, skeleton, brain, spinal
 # cord, cerebrospinal fluid, lung, heart, liver, water, gelatin, polycarbonate.
@@ -63,17 +64,23 @@ def render(mesh, view, pixels=700):
     return picture, (0., shape[1] * size, 0., shape[0] * size)
 
 
-def draw_outside(mesh, path):
+def draw_outside(mesh, path, axes=None):
+    """The body from three sides, those of a person whose front, left side and
+    top point along axes, which are rows."""
+    names = NAMELESS if axes is None else [view[0] for view in VIEWS]
+    if axes is not None:
+        mesh = {**mesh, **{name: mesh[name].reshape(-1, 3) @ axes.T
+                           for name in ("points", "normal")}}
     pictures = [render(mesh, view) for view in VIEWS]
     widths = [extent[1] for _, extent in pictures]
     height = max(extent[3] for _, extent in pictures)
-    figure, axes = plt.subplots(
+    figure, panels = plt.subplots(
         1, len(VIEWS), gridspec_kw={"width_ratios": widths},
         figsize=(min(10., 4.8 * sum(widths) / height + 1.5), 5.2))
-    for axis, view, (picture, extent) in zip(axes, VIEWS, pictures):
+    for axis, name, (picture, extent) in zip(panels, names, pictures):
         axis.imshow(picture, cmap="copper", vmin=-0.2, vmax=1.1,
                     extent=extent, interpolation="nearest")
-        axis.set_title(view[0])
+        axis.set_title(name)
         axis.set_axis_off()
     style.save(figure, path)
 
