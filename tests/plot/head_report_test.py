@@ -366,7 +366,7 @@ class PickedTest(unittest.TestCase):
         run = Struck(**self.IMPACT)
         self.assertEqual(self.times(run), [1.2, 1.8, 2.6, 4.])
         self.assertEqual(
-            head_report._choice(run).replace("\u00a0", " "),
+            head_report.choice(run).replace("\u00a0", " "),
             "Times are those of outputs after first contact (1.00 ms), about "
             "largest force (1.78 ms), rebound (2.51 ms) and end of contact "
             "(3.99 ms).")
@@ -386,14 +386,14 @@ class PickedTest(unittest.TestCase):
     def test_without_contact(self):
         run = Struck()
         self.assertEqual(self.times(run), [0.2, 1.4, 2.6, 5.])
-        self.assertEqual(head_report._choice(run), "")
+        self.assertEqual(head_report.choice(run), "")
         self.assertEqual(self.times(Struck(end=0.)), [])
 
     def test_published(self):
         run = Struck(is_published=True, **self.IMPACT)
         self.assertIn(5., self.times(run))
         self.assertIn(1., self.times(run))
-        self.assertIn("published pictures", head_report._choice(run))
+        self.assertIn("published pictures", head_report.choice(run))
 
 
 class CrossingTest(unittest.TestCase):

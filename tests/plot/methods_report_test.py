@@ -76,11 +76,17 @@ class DifferencesTest(unittest.TestCase):
         class Run:
             summary = {}
 
+            def __init__(self, end):
+                self.history = {"time": [0., end]}
+
         pair = methods_report.Pair.__new__(methods_report.Pair)
-        pair.runs, pair.names = (Run(), Run()), ["ALE", "MPM"]
-        text = methods_report.answer(pair, self.ROWS)
-        self.assertIn("1 of 3 quantities", text)
-        self.assertNotIn("probe", text)
+        for ends in ((5e-3, 5e-3), (5e-3, 4.5e-3)):
+            pair.runs, pair.names = tuple(map(Run, ends)), ["ALE", "MPM"]
+            text = methods_report.answer(pair, self.ROWS)
+            self.assertIn("1 of 3 quantities", text)
+            self.assertNotIn("probe", text)
+            self.assertEqual("end at different times, after 5.00" in text,
+                             ends[1] < ends[0])
 
 
 class MethodsTest(unittest.TestCase):

@@ -268,7 +268,7 @@ def cuts(run, folder):
         f"Pressure in a cut {where}, one scale for all times with square-root "
         "colours: red is compression, blue tension. The scale is that of brain "
         "and CSF, which the skull's pressure goes beyond. "
-        + _choice(run))]
+        + choice(run))]
     if any(run.is_solid(name) for name in run.regions):
         parts.append(figure(
             folder, "head_shear_strain", head_figures.draw_shear(run, found),
@@ -290,7 +290,7 @@ def cuts(run, folder):
     return parts
 
 
-def _choice(run):
+def choice(run):
     """Which outputs cuts show, as a sentence; "" where nothing is hit."""
     if run.is_published():
         return "Times are those of the published pictures, as far as there " \

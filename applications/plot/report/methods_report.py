@@ -16,6 +16,7 @@ AGREEMENT = 0.1
 # Pressures have either sign. Below this part of the largest one their
 # differences are absolute, since ratios to numbers near zero say nothing.
 NEAR_ZERO = 0.05
+SAME_END = 1e-3  # relative difference of end times that are the same
 SPAN = 5e-4  # of running means at probes, which leave no ringing [s]
 
 
@@ -184,6 +185,12 @@ def answer(pair, rows):
         ratio = page.number(seconds[1] / seconds[0])
         text += (f" {pair.names[1]} took {ratio} times the processor time of "
                  f"{pair.names[0]}.")
+    ends = pair.both(lambda run: float(run.history["time"][-1]))
+    if abs(ends[1] / ends[0] - 1.) > SAME_END:
+        text += (" The runs end at different times, after "
+                 + " and ".join(map(page.milliseconds, ends))
+                 + ": extremes, impulse and energies at the end are until "
+                 "then.")
     return page.tag("div", page.paragraph(text), kind="answer")
 
 
@@ -265,7 +272,8 @@ def cuts(pair, folder):
         "method, the second, and their difference.",
         "Pressure in a cut through the head's centre: "
         f"{pair.names[0]}, {pair.names[1]}, and the second less the first in "
-        "brain and CSF; one scale, that of brain and CSF.")]
+        "brain and CSF; one scale, that of brain and CSF. "
+        + head_report.choice(pair.runs[0]))]
 
 
 def _inside(run, cut):
