@@ -58,11 +58,12 @@ void write_blast(const std::string &folder,
     << R"(}, "probe_1_duration": {"value": )"
     << (is_cut ? factor : of_duration) * tables.duration
     << (is_cut ? R"(}, "probe_1_cut_off": {"value": 1}}})" : "}}}");
-  std::ofstream(folder + "/probe_injury.csv")
-    << "measure,place,value,unit,definition\nlung_exposure,probe 1,"
-    << (is_cut ? std::nan("") : factor * tables.in_the_open.lung_exposure)
-    << ",-,\"\"\nlung_lethality,probe 1," << (is_cut ? "nan" : "0.25")
-    << ",-,\"\"\n";
+  std::ofstream file(folder + "/probe_injury.csv");
+  file << "measure,place,value,unit,definition\n";
+  if (!is_cut)
+    file << "lung_exposure,probe 1,"
+         << factor * tables.in_the_open.lung_exposure
+         << ",-,\"\"\nlung_lethality,probe 1,0.25,-,\"\"\n";
 }
 
 

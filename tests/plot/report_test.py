@@ -511,9 +511,8 @@ class ReportTest(unittest.TestCase):
                         probe_1_cut_off=tiny_scene.with_unit(1., "-")))
         path = os.path.join(folder, "blast", "probe_injury.csv")
         with open(path, encoding="utf-8") as file:
-            found = file.read()
-        tiny_scene.write(path, found.replace("0.4321", "nan").replace(
-            "1.35e-06", "nan"))
+            rows = [row for row in file if not row.startswith("lung_")]
+        tiny_scene.write(path, "".join(rows))
         words = text_of(Made(folder).page)
         self.expect(words, "Survival not judged (the run ends before the "
                     "positive phase does; death by lung injury by the tables: "

@@ -289,7 +289,7 @@ def read_gauge_measures(blast):
 
 def read_gauge_injury(blast, name="gauge_injury.csv"):
     """gauge_injury.csv, or probe_injury.csv of the same shape: Measure by
-    (measure, place), {} without the file; without what is not known."""
+    (measure, place), {} without the file."""
     path = blast.path(name)
     if not os.path.exists(path):
         return {}
@@ -298,10 +298,8 @@ def read_gauge_injury(blast, name="gauge_injury.csv"):
                                    encoding="utf-8") as file:
         for row in files.rows_of(file):
             value = float(row["value"])
-            if np.isinf(value):
+            if not np.isfinite(value):
                 raise ValueError(f"{row['measure']}: no number")
-            if np.isnan(value):
-                continue
             found[row["measure"], row["place"]] = Measure(
                 row["measure"], value, row["unit"], limits=row["definition"])
     return found

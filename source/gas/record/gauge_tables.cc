@@ -24,8 +24,6 @@ namespace
   const std::string chest = "chest", back = "back";
   const std::vector<std::string> arms{"left upper arm", "right upper arm"};
   const std::string device = "device ";
-  const std::string run_ends_words =
-    "the run ends before the positive phase does";
   const std::string header = "measure,place,value,unit,definition\n";
 
   std::string row(const std::string &measure,
@@ -148,10 +146,12 @@ namespace
           place,
           found->second.lung_exposure,
           "-",
-          "peak overpressure on the skin over the free-field load "
-          "that half survive for this positive phase and body mass "
-          "(Bowen et al. 1968)" +
-            (cut.count(place) > 0 ? "; a lower limit: " + run_ends_words : ""));
+          "peak overpressure on the skin over the free-field load that half "
+          "survive for this positive phase and body mass (Bowen et al. 1968)" +
+            std::string(
+              cut.count(place) > 0
+                ? "; a lower limit: the run ends before the positive phase does"
+                : ""));
     }
     return text;
   }
@@ -178,19 +178,14 @@ namespace
   {
     std::string rows;
     const auto values = air_injury_values(air, body_mass);
-    constexpr std::size_t n_of_lungs = 2; // the first ones
     const std::size_t n_values = values.size() - (with_chest ? 0 : 2);
     for (std::size_t k = 0; k < n_values; ++k)
-    {
-      const bool is_cut = air.is_cut && k < n_of_lungs;
-      if (is_cut || !std::isnan(values[k]))
+      if (!std::isnan(values[k]))
         rows += row(air_injury_quantities[k].first,
                     air.place,
                     values[k],
                     air_injury_quantities[k].second,
-                    air_injury_definitions[k] +
-                      (is_cut ? "; not known: " + run_ends_words : ""));
-    }
+                    air_injury_definitions[k]);
     if (with_chest)
       rows +=
         row("peak_overpressure",

@@ -227,16 +227,8 @@ TEST(GaugeTables, TellWhatAWaveDoesToAPersonInTheAir)
   // Where the run cuts the wave off, only the peak is known.
   const auto cut = rows_of(air_injury_table(
     {{"probe 1", wave, 101325., exposure, 500., true}}, 70., false));
-  ASSERT_EQ(cut.size(), 4U);
-  const std::string words = "not known: the run ends before";
-  for (const std::size_t k : {1U, 2U, 3U})
-  {
-    EXPECT_EQ(cut[k][2], k < 3 ? "nan" : rows[k][2]);
-    // Definitions have commas.
-    const std::string text = join(cut[k], ",");
-    EXPECT_EQ(text.find(words) != std::string::npos, k < 3) << text;
-    EXPECT_EQ(join(rows[k], ",").find(words), std::string::npos);
-  }
+  ASSERT_EQ(cut.size(), 2U);
+  EXPECT_EQ(cut[1], rows[3]);
 
   // The motion of the chest and the 4 psi of training where they are asked for.
   ExposureRecord unknown;
