@@ -392,9 +392,8 @@ namespace io
       if (!trial)
         continue;
       log_line(description_of(*trial));
-      // Finer ones would not come to their last stage either.
       if (trial->lacks_stage)
-        break;
+        break; // finer ones would not come to it either
       // The cost of fields is about the same in all trials.
       const double steady = trial->field_seconds;
       const double before =

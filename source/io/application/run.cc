@@ -90,10 +90,45 @@ namespace io
     return cost;
   }
 
+  namespace
+  {
+    /// Takes the steps of an undeformed body, if they are not those of the
+    /// @p rough estimate: up to twice as many are extrapolated from trials,
+    /// still more come from deformation.
+    void correct_steps(const double known,
+                       const double rough,
+                       const TimeParameters &time,
+                       CostEstimate &cost)
+    {
+      if (known == rough)
+        return;
+      double steps = known;
+      if (time.largest_step > 0.)
+        steps = std::max(steps, time.end_time / time.largest_step);
+      if (time.largest_number_of_steps > 0)
+        steps =
+          std::min(steps, static_cast<double>(time.largest_number_of_steps));
+      if (cost.steps > 2. * steps)
+        return;
+      steps = std::round(steps);
+      cost.seconds *= cost.steps > 0. ? steps / cost.steps : 1.;
+      cost.steps = steps;
+    }
+  } // namespace
+
   void Run::check()
   {
-    const CostEstimate cost =
-      cached_or_forecast_cost(description_, prm_, estimate(), collective_);
+    const CostEstimate rough = estimate();
+    CostEstimate cost =
+      cached_or_forecast_cost(description_, prm_, rough, collective_);
+    CostEstimate known = rough;
+    collective_.run([&]() {
+      plan_ = simulation_.plan();
+      // A solver that its plan has set up knows its steps.
+      if (!description_.adapts && simulation_.size().first > 0)
+        known = simulation_.estimate();
+    });
+    correct_steps(known.steps, rough.steps, time_, cost);
     if (description_.on_cost_estimate)
       description_.on_cost_estimate(cost);
     else
@@ -105,7 +140,6 @@ namespace io
       folder_.path() + ":");
     for (const std::string &line : cost_lines({{description_.name, cost}}))
       show_line(line);
-    collective_.run([&]() { plan_ = simulation_.plan(); });
     complete_plan();
     // Of a part of a scene, which has a plan of its own, warnings are shown.
     for (const std::string &line : plan_lines(plan_))

@@ -51,13 +51,19 @@ CostEstimate SolidSimulation<Real>::estimate()
   CostEstimate cost;
   cost.cells = mesh_description_.estimate_elements();
   cost.memory = typical_memory * cost.cells * (sizeof(Real) == 4 ? 0.7 : 1.);
-  const double step = mesh_description_.estimate_step(materials_);
-  cost.steps = end_time_ / (safety_ * options_.step_factor() * step);
+  // Where plan() has set the body up, its stable step is known.
+  const bool is_set_up = body_.mesh().n_global_nodes > 0;
+  cost.steps =
+    end_time_ / (is_set_up ? stable_step_
+                           : safety_ * options_.step_factor() *
+                               mesh_description_.estimate_step(materials_));
   cost.seconds =
     cost.steps * cost.cells / typical_speed *
     (options_.integration == Integration::full ? full_integration : 1.) /
     dealii::Utilities::MPI::n_mpi_processes(communicator_);
-  if (cost.cells <= cheap_mesh)
+  if (is_set_up)
+    cost.unknowns = 3. * static_cast<double>(body_.mesh().n_global_nodes);
+  else if (cost.cells <= cheap_mesh)
     cost.unknowns = 3. * static_cast<double>(check_selections());
   return cost;
 }
