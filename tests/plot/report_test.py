@@ -1560,6 +1560,17 @@ class ReportTest(unittest.TestCase):
             self.assertEqual(np.count_nonzero(shown), np.count_nonzero(
                 shown.any(axis=0)) * np.count_nonzero(shown.any(axis=1)))
         self.assertEqual(views.bare_part(), 0.)
+        # What small patches leave open on a side is skin with gas.
+        with h5py.File(path, "a") as file:
+            file["area"][:] = 3.
+        views = body_views.BodyViews(loads.Loads(path), [])
+        self.assertGreater(np.count_nonzero(views.sides[0].gaps), 0)
+        self.assertEqual(views.bare_part(), 0.)
+        gap = np.zeros((5, 5), bool)
+        gap[1:4, 1:4] = True
+        picture = np.where(gap, 1., 0.5)[:, :, None] * np.ones(3)
+        body_views._close(picture, ~gap, gap)
+        self.assertTrue(np.all(picture == 0.5))
         # A side on the ground has no facets: it is seen grey, not white.
         with h5py.File(path, "a") as file:
             file["normal"][0] = -1., 0., 0.

@@ -105,7 +105,7 @@ class BodyViews:
 
     def bare_part(self):
         """Largest part of the body in a view that is skin without gas."""
-        return max(np.count_nonzero(side.bare())
+        return max(np.count_nonzero(side.bare)
                    / max(np.count_nonzero(side.silhouette), 1)
                    for side in self.sides)
 
@@ -140,6 +140,15 @@ def _spacings(centroids, areas):
     return np.sqrt(largest[number]) / 1.1
 
 
+def _close(picture, known, gaps):
+    """Gives pixels in gaps the colour of one that is known beside them."""
+    for _ in range(4):
+        for step, axis in ((1, 0), (-1, 0), (1, 1), (-1, 1)):
+            here = gaps & np.roll(known, step, axis)
+            picture[here] = np.roll(picture, step, axis)[here]
+            known, gaps = known | here, gaps & ~here
+
+
 class _Side:
     """One view: which facets each pixel shows with what weight."""
 
@@ -157,11 +166,18 @@ class _Side:
             int((high[axis] - low[axis] + 2. * margin) / pixel) + 1
             for axis in (self.up[0], self.right[0]))
         self.silhouette = self._fill(*outline)
-        self.is_outlined = bool(outline[1])
         towards = self.depth[1] * normals[:, self.depth[0]]
         seen = towards > 0.
         self._spread(centroids[seen], normals[seen], spacing[seen],
                      facets[seen])
+        vertices, outlines = outline
+        hole = self.silhouette & (self.total.reshape(self.shape) == 0.) \
+            & bool(outlines)
+        near = [outlines[facet] for facet in np.flatnonzero(seen)
+                if outlines]
+        # Between patches; and where the eye would look into the body.
+        self.gaps = hole & self._fill(vertices, near) & bool(near)
+        self.bare = hole & ~self.gaps
 
     def _project(self, points):
         """Pixels, as rows and columns, and closeness to the eye [m]."""
@@ -243,16 +259,10 @@ class _Side:
         light = np.tensordot(lamp, normal, 1)
         return 0.62 + 0.38 * np.clip(light, 0., 1.)
 
-    def bare(self):
-        """Which pixels within the silhouette show no facet: skin without gas,
-        where the eye would look into the body."""
-        return (self.silhouette & (self.total.reshape(self.shape) == 0.)
-                if self.is_outlined else np.zeros(self.shape, bool))
-
     def paint(self, values, norm, colours):
-        """Red, green, blue; grey without values, white beside the body."""
+        """Red, green, blue; grey without values, BARE of skin without gas,
+        white beside the body."""
         picture = np.ones(self.shape + (3,))
-        picture[self.bare()] = BARE
         body = self.total.reshape(self.shape) > 0.
         grey = np.full(self.shape + (3,), 0.8)
         if values is not None:
@@ -260,6 +270,8 @@ class _Side:
             known = np.isfinite(mean)
             grey[known] = colours(norm(mean[known]))[:, :3]
         picture[body] = (grey * self.light[:, :, None])[body]
+        _close(picture, body, self.gaps)
+        picture[self.bare] = BARE
         return picture
 
     def spot(self, point, even_hidden):
