@@ -242,7 +242,7 @@ class DamageTest(unittest.TestCase):
                     (re.sub(r",-?[0-9.]+[^,\n]*", ",nan", text), "nan"),
                     ("", "empty")):
                 # A measure may be unknown.
-                if what == "nan" and name.endswith("injury.csv"):
+                if what == "nan" and name.endswith("/injury.csv"):
                     continue
                 self.refuse(name, content.encode(), what, read)
             self.refuse(name, b"\xff" + whole, "no text", read)
