@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/base/deal_ii/mapping_with_subfaces.h>
 #include <contrecoup/base/deal_ii/matrix_free.h>
 #include <contrecoup/gas/galerkin/galerkin_space.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_q.h>
-#include <deal.II/fe/mapping_fe.h>
 #include <deal.II/fe/mapping_q.h>
 #include <deal.II/lac/affine_constraints.h>
 
@@ -45,11 +45,11 @@ namespace
   /// The vertices alone shape a cell. MappingFE asks the manifold for them,
   /// and SphericalManifold moves vertices in three dimensions.
   template <int dim>
-  class MultilinearMapping : public dealii::MappingFE<dim>
+  class MultilinearMapping : public MappingWithSubfaces<dim>
   {
   public:
     MultilinearMapping()
-      : dealii::MappingFE<dim>(dealii::FE_Q<dim>(1))
+      : MappingWithSubfaces<dim>(dealii::FE_Q<dim>(1))
     {}
 
     std::unique_ptr<dealii::Mapping<dim>> clone() const override

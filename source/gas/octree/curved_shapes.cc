@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/base/deal_ii/mapping_with_subfaces.h>
 #include <contrecoup/base/deal_ii/releases.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/gas/octree/curved_shapes.h>
@@ -25,11 +26,11 @@
 namespace contrecoup::gas
 {
 template <int dim>
-class CurvedShapes<dim>::Mapping : public dealii::MappingFE<dim>
+class CurvedShapes<dim>::Mapping : public MappingWithSubfaces<dim>
 {
 public:
   explicit Mapping(const CurvedShapes &shapes)
-    : dealii::MappingFE<dim>(dealii::FE_Q<dim>(shapes.degree_))
+    : MappingWithSubfaces<dim>(dealii::FE_Q<dim>(shapes.degree_))
     , shapes_(shapes)
   {}
 
