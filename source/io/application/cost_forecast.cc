@@ -358,6 +358,26 @@ namespace io
                          std::to_string(most_levels) + " to the last, 0");
       return levels;
     }
+
+    /// What a trial would take that is one level finer than the last [s].
+    double seconds_of_next(const std::vector<Trial> &trials)
+    {
+      const Trial &last = trials.back();
+      // The cost of fields is about the same in all trials.
+      const double steady = last.field_seconds;
+      const double changing = last.seconds - steady;
+      const double most = std::pow(
+        2., last.stages.empty() ? 1. : last.stages.back().dimension + 1.);
+      double growth = 0.5 * most;
+      if (trials.size() > 1)
+      {
+        const Trial &coarser = trials[trials.size() - 2];
+        if (coarser.seconds > steady)
+          growth = std::pow(changing / (coarser.seconds - steady),
+                            1. / (coarser.levels - last.levels));
+      }
+      return steady + changing * std::clamp(growth, 2., most);
+    }
   } // namespace
 
   CostEstimate forecast_cost(const ApplicationDescription &description,
@@ -394,21 +414,10 @@ namespace io
       log_line(description_of(*trial));
       if (trial->lacks_stage)
         break; // finer ones would not come to it either
-      // The cost of fields is about the same in all trials.
-      const double steady = trial->field_seconds;
-      const double before =
-        trials.empty() ? 0. : trials.back().seconds - steady;
       trials.push_back(*trial);
       result = extrapolate(trials, rough.cells, adapts, prm);
       spent += trial->seconds;
-      const double most = std::pow(
-        2., trial->stages.empty() ? 1. : trial->stages.back().dimension + 1.);
-      const double growth =
-        before > 0. ? std::pow((trial->seconds - steady) / before,
-                               1. / (trials[trials.size() - 2].levels - levels))
-                    : 0.5 * most;
-      expected =
-        steady + (trial->seconds - steady) * std::clamp(growth, 2., most);
+      expected = seconds_of_next(trials);
     }
     if (trials.empty())
       return without_trials(description, prm, rough, collective);
