@@ -468,6 +468,11 @@ def _without_tables(text, files):
             require_same(shown + " %", answer[place]["eardrum_rupture"],
                          "eardrums by the tables")
     text = re.sub(r"[,;] by the tables [^()]*?%(?=\))", "", text)
+    told = re.search(r"; death by lung injury by the tables: ([^()]*?%)(?=\))", text)
+    if told:
+        require_chance(told[1], answer["in_the_open"]["lung_lethality"],
+                       "death by the tables")
+        text = text.replace(told[0], "")
     for row in files.scene.get("table_comparison", []):
         for match in re.findall(r"eardrum in the open is (.*?), where this "
                                 r"run has (.*?)(?=\.\n)", text) * (row["name"]
