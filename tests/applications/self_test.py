@@ -416,6 +416,7 @@ class SceneTest(SelfTest):
         self.rejects("other tissues made the blast", *options,
                      flaw="forgetful")
         self.rejects("other tissues changed nothing", *options, flaw="deaf")
+        self.rejects("which is not said", *options, flaw="wordless")
         self.rejects("report", *options, flaw="silent")
         self.rejects("blast has a body of 50", *options, flaw="heavy")
         self.rejects("height and mass of the charge", *options, flaw="low")

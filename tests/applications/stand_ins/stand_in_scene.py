@@ -163,6 +163,9 @@ def main():
         status = run_stage(stage)
         statuses[stage] = {"name": stage, "status": status,
                            "wall_seconds": time.time() - begin}
+    is_reused = all(found["status"] == "reused" for found in statuses.values())
+    if is_reused and "--overwrite" in sys.argv and flaw != "wordless":
+        print(f"--overwrite takes {', '.join(STAGES)} as they are")
     for stage in STAGES[1:]:
         statuses["coarser_" + stage] = {"name": "coarser_" + stage,
                                         "status": statuses[stage]["status"]}
