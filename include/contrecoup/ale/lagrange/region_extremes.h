@@ -64,9 +64,11 @@ public:
     return least_pressures_;
   }
 
-  /// Saves this rank's record, or adds what a rank has saved.
-  /// @param file for error messages @throws InputError for a damaged record
+  /// Saves this rank's record.
   void save(std::ostream &out) const;
+
+  /// Adds what a rank has saved.
+  /// @param file for error messages @throws InputError for a damaged record
   void restore(std::istream &in, const std::string &file);
 
 private:
