@@ -96,6 +96,7 @@ TEST(RecordedLoads, ImpulseIsKept)
     const double factor = area > 0.9 ? 0.48 / (0.95 * 0.6 - 0.12) : 1.;
     loads->set_time(0.5e-3);
     EXPECT_NEAR(loads->pressure(0), factor * 100., 1e-10);
+    EXPECT_NEAR(loads->correction(), factor, 1e-12);
     EXPECT_NEAR(audited(*loads, "loads_impulse_factor"), factor, 1e-12);
   }
   // Who asks for it gets any impulse back, or none.

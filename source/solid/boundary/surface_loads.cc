@@ -229,7 +229,8 @@ void SurfaceLoads::set_time(const double time)
                             : load.pressure.depends_on_place()
                               ? load.pressure.value(facet.middle, time)
                               : everywhere[facet.load];
-    facet.pressure = pressure;
+    facet.pressure =
+      load.history ? pressure / load.history->correction() : pressure;
     for (unsigned int v = 0; v < 4; ++v)
       forces_[facet.entry[v]] -= pressure * facet.area[v];
   }

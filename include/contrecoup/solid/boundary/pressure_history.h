@@ -38,6 +38,13 @@ public:
   /// Overpressure on a facet at the current time [Pa].
   virtual double pressure(std::size_t facet) const = 0;
 
+  /// Factor on the pressures of all facets, for an impulse that is to be kept:
+  /// of the force on the surface, not of what a gauge there would measure.
+  virtual double correction() const
+  {
+    return 1.;
+  }
+
   /// What is not known until the end time of the run [s], such as pressures
   /// after the last sample of a record, in one sentence; empty: all is known.
   /// Call after reinit(). Collective.

@@ -40,6 +40,10 @@ public:
               MPI_Comm communicator) override;
   void set_time(double time) override;
   double pressure(std::size_t facet) const override;
+  double correction() const override
+  {
+    return factor_;
+  }
 
   /// Tells that the record ends before the run: when, and the largest pressure
   /// that is left then, and where. Collective.

@@ -56,8 +56,9 @@ public:
   /// Checks of recorded loads, for the summary. Collective.
   std::vector<NamedValue> check_values() const;
 
-  /// Pressure on the loaded facet whose centre is nearest to @p point [Pa];
-  /// the mean of equally near facets, 0 without loads. Collective.
+  /// Pressure on the loaded facet whose centre is nearest to @p point, without
+  /// correction() [Pa]; the mean of equally near facets, 0 without loads.
+  /// Collective.
   double pressure_near(const dealii::Point<3> &point,
                        MPI_Comm communicator) const;
 
@@ -82,7 +83,7 @@ private:
     dealii::Point<3> middle;
     std::array<unsigned int, 4> entry; ///< indices in forces_
     std::array<dealii::Tensor<1, 3>, 4> area;
-    double pressure; ///< at the current time [Pa]
+    double pressure; ///< at the current time, without correction() [Pa]
   };
 
   void add_facets(const SolidMesh &mesh, unsigned int load);
