@@ -204,7 +204,8 @@ std::string Person::charge_in_words() const
   if (azimuth == 0.)
     return "straight ahead of the person" + front;
   return "before the person's " + side + ", " + brief(std::abs(azimuth)) +
-         " degrees to the " + (azimuth < 0. ? "right" : "left") +
-         " of where the person faces" + front;
+         (std::abs(azimuth) == 1. ? " degree" : " degrees") + " to the " +
+         (azimuth < 0. ? "right" : "left") + " of where the person faces" +
+         front;
 }
 } // namespace contrecoup::coupling
