@@ -416,6 +416,9 @@ def check_headline(page, files):
                   text)
     wanted += _free_air(files) + _afterburn(files) + _loads(files)
     wanted += _energy(files) + _model_bias(files)
+    if "of the median lethal one" in text:
+        wanted += [(rf"({number}) of the median lethal one", value)
+                   for value, name in rows.values() if name == "lung_exposure"]
     for row in files.scene["audit"]:
         told = f" ({row['found']}; limit: {row['limit']})"
         require((told in text) == (row["holds"] is False),
