@@ -331,11 +331,12 @@ namespace
     data.ambient_pressure = number("ambient_pressure");
     data.afterburn_fraction = number_or("afterburn_fraction", 0.);
     data.afterburn_released = number_or("afterburn_released", 0.);
-    for (const auto &[name, text] :
-         {std::make_pair("version", &data.version),
-          std::make_pair("material", &data.material)})
+    const auto take_note = [&](const std::string &name, std::string &text) {
       if (table.notes.count(name) > 0)
-        *text = table.notes.at(name);
+        text = table.notes.at(name);
+    };
+    take_note("version", data.version);
+    take_note("material", data.material);
     const std::size_t n = data.geometry == Geometry::axisymmetric ? 2 : 1;
     for (std::size_t d = 0; d < n; ++d)
     {
