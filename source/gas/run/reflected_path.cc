@@ -35,22 +35,17 @@ std::vector<ReflectedPath<dim>> reflected_paths(
 }
 
 
-template std::vector<ReflectedPath<1>> reflected_paths(
-  const dealii::Point<1> &,
-  const dealii::Point<1> &,
-  const dealii::Point<1> &,
-  const std::vector<unsigned int> &,
-  const std::function<dealii::Point<1>(const dealii::Point<1> &)> &);
-template std::vector<ReflectedPath<2>> reflected_paths(
-  const dealii::Point<2> &,
-  const dealii::Point<2> &,
-  const dealii::Point<2> &,
-  const std::vector<unsigned int> &,
-  const std::function<dealii::Point<2>(const dealii::Point<2> &)> &);
-template std::vector<ReflectedPath<3>> reflected_paths(
-  const dealii::Point<3> &,
-  const dealii::Point<3> &,
-  const dealii::Point<3> &,
-  const std::vector<unsigned int> &,
-  const std::function<dealii::Point<3>(const dealii::Point<3> &)> &);
+#define CONTRECOUP_INSTANTIATE(dim)                         \
+  template std::vector<ReflectedPath<dim>> reflected_paths( \
+    const dealii::Point<dim> &,                             \
+    const dealii::Point<dim> &,                             \
+    const dealii::Point<dim> &,                             \
+    const std::vector<unsigned int> &,                      \
+    const std::function<dealii::Point<dim>(const dealii::Point<dim> &)> &)
+
+CONTRECOUP_INSTANTIATE(1);
+CONTRECOUP_INSTANTIATE(2);
+CONTRECOUP_INSTANTIATE(3);
+
+#undef CONTRECOUP_INSTANTIATE
 } // namespace contrecoup::gas
