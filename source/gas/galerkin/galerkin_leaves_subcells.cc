@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/base/deal_ii/releases.h>
 #include <contrecoup/base/lanes/lane_math.h>
 #include <contrecoup/gas/galerkin/galerkin_leaves.h>
 #include <contrecoup/materials/ideal_gas.h>
@@ -51,7 +52,7 @@ void GalerkinLeaves<dim, Gas, Real>::set_subcell_areas()
     for (unsigned int q = 0; q < n_points_; ++q)
       for (unsigned int k = 0; k < dim; ++k)
         for (unsigned int d = 0; d < dim; ++d)
-          gradients[(k * dim + d) * n_points_ + q] =
+          gradients[gradient_index<dim>(k, d, q, n_points_)] =
             d == direction
               ? Number(metric_->inverse_jacobian(q)[k][d] * metric_->JxW(q))
               : Number(0.);

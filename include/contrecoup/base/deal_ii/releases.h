@@ -26,6 +26,22 @@ inline constexpr auto fastest_compression =
   dealii::DataOutBase::VtkFlags::best_speed;
 #endif
 
+/// Where the derivative of a component along a reference direction at a point
+/// stands in FEEvaluation::begin_gradients(), whose order is not documented:
+/// since deal.II 9.5 the directions of a point follow one another.
+template <int dim>
+constexpr unsigned int gradient_index(const unsigned int component,
+                                      const unsigned int direction,
+                                      const unsigned int point,
+                                      const unsigned int n_points)
+{
+#if DEAL_II_VERSION_GTE(9, 5, 0)
+  return (component * n_points + point) * dim + direction;
+#else
+  return (component * dim + direction) * n_points + point;
+#endif
+}
+
 /// The communicator of a Triangulation or a DoFHandler, whose function has
 /// another name since deal.II 9.7.
 template <typename Distributed>
