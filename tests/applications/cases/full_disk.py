@@ -64,11 +64,13 @@ def nearly_full(output, checkpoint):
 def limit_files(size, ignore=True):
     """Lets writes beyond @p size bytes of a file fail; unless @p ignore, they
     kill who does not see to that. MPI must not lay its shared memory out in
-    files then."""
+    files then; between interfaces with addresses of IPv6, other than the
+    loopback, Open MPI 5 finds no way."""
     signal.signal(signal.SIGXFSZ,
                   signal.SIG_IGN if ignore else signal.SIG_DFL)
     resource.setrlimit(resource.RLIMIT_FSIZE, (size, size))
     os.environ["OMPI_MCA_btl"] = "self,tcp"
+    os.environ["OMPI_MCA_btl_tcp_if_include"] = "lo"
     os.environ["PMIX_MCA_gds"] = "hash"
 
 
