@@ -9,6 +9,8 @@
 #include <contrecoup/io/file/vtk_file.h>
 #include <contrecoup/io/file/vtk_input.h>
 
+#include <deal.II/base/utilities.h>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -30,6 +32,35 @@ PlaneSamples make_plane()
   plane.fields = {{"pressure", "Pa", {0., 1., 2., 3., 4., std::nan("")}},
                   {"density", "kg/m^3", {1. / 3., 1., 1., 1., 1., 1.}}};
   return plane;
+}
+
+
+/// A file of arrays of one block, as text in their elements, with these arrays
+/// appended as raw bytes.
+std::string with_raw_arrays(const std::string &file)
+{
+  const std::string mark = "format=\"binary\">";
+  constexpr std::size_t header_size = 44;
+  std::string description, data;
+  std::size_t end = 0;
+  for (std::size_t begin = file.find(mark); begin != std::string::npos;
+       begin = file.find(mark, end))
+  {
+    description += file.substr(end, begin - end) +
+                   "format=\"appended\" offset=\"" +
+                   std::to_string(data.size()) + "\">";
+    begin += mark.size();
+    end = file.find('<', begin);
+    for (const std::string &text :
+         {file.substr(begin, header_size),
+          file.substr(begin + header_size, end - begin - header_size)})
+      for (const unsigned char byte : dealii::Utilities::decode_base64(text))
+        data += static_cast<char>(byte);
+  }
+  const std::string close = "</VTKFile>";
+  description += file.substr(end, file.find(close) - end);
+  return description + "<AppendedData encoding=\"raw\">\n_" + data +
+         "\n</AppendedData>\n" + close + "\n";
 }
 
 
@@ -70,6 +101,15 @@ TEST(VtkFiles, AreReadAsWritten)
   EXPECT_TRUE(std::isnan(pressures[5]));
   EXPECT_THROW(plane.numbers("speed"), contrecoup::InputError);
 
+  // The same arrays, appended as raw bytes.
+  write_file("raw.vti", [](std::ostream &out) {
+    out << with_raw_arrays(read_file("plane.vti"));
+  });
+  const VtkInput raw("raw.vti");
+  EXPECT_EQ(raw.names(), plane.names());
+  EXPECT_EQ(raw.numbers("density"), plane.numbers("density"));
+  EXPECT_EQ(raw.numbers("pressure")[4], 4.);
+
   // More than one compressed block, the last of them shorter.
   std::vector<double> many(300000);
   std::iota(many.begin(), many.end(), 0.25);
@@ -91,12 +131,20 @@ TEST(VtkFiles, DamagedOnesAreRefused)
     EXPECT_THROW(VtkInput("cut.vti").numbers("density"),
                  contrecoup::InputError);
   };
-  // The end of the file is after all arrays.
-  for (std::size_t size = 0; size < whole.size() - 40; size += 7)
-    refuses(whole.substr(0, size));
-  std::string wrong = whole;
-  wrong.replace(wrong.rfind("offset=\"") + 8, 1, "9");
-  refuses(wrong);
+  for (const std::string &form : {whole, with_raw_arrays(whole)})
+    for (std::size_t size = 0; size + 1 < form.size(); size += 7)
+      refuses(form.substr(0, size));
+  const auto refuses_with = [&](std::string wrong,
+                                const std::string &before,
+                                const std::string &after) {
+    wrong.replace(wrong.rfind(before), before.size(), after);
+    refuses(wrong);
+  };
+  refuses_with(with_raw_arrays(whole), "offset=\"", "offset=\"9");
+  refuses_with(whole, "\"binary\">AQ", "\"binary\">Ag");
+  refuses_with(whole, "\"binary\">AQAAAAAAAA", "\"binary\">//////////");
+  refuses_with(whole, "\"binary\">", "\"binary\">*");
+  refuses_with(whole, "UInt64", "UInt32");
   EXPECT_THROW(VtkInput("no such file.vti"), contrecoup::InputError);
 }
 

@@ -292,7 +292,9 @@ class DamageTest(unittest.TestCase):
                 (b' Spacing="', b' Space="', "no spacing"),
                 (b' Origin="-1.0', b' Origin="nan', "nowhere"),
                 (b'"TimeValue"', b'"Time"', "no time"),
-                (b'offset="0"', b'offset="99999999"', "cut off")):
+                (b'format="binary">AQ', b'format="binary">Ag', "a block is missing"),
+                (b'format="binary">AQAAAAAAAA',
+                 b'format="binary">//////////', "many blocks")):
             self.assertIn(before, whole)
             self.refuse(PLANE, whole.replace(before, after), what)
         values = np.full((4, 4), np.inf)

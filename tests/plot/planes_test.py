@@ -9,6 +9,7 @@ import sys
 import tempfile
 import unittest
 import unittest.mock
+import zlib
 
 import numpy as np
 
@@ -111,15 +112,25 @@ class PlanesTest(unittest.TestCase):
             found["gauges_plane_1_peak_overpressure"][0].axes, ["y", "z"])
 
     def test_read(self):
-        """Arrays are read with and without a unit."""
+        """Arrays are read with and without a unit, as text and as bytes."""
         path = os.path.join(self.folder, "arrays.vtp")
         arrays = [("points", np.arange(6.), 3, "m"),
                   ("part", np.arange(4, dtype=np.uint8), 1, "")]
-        tiny_files.write(path, *tiny_files.appended(arrays))
+        tiny_files.write(path, tiny_files.elements(arrays))
         found = vtk_file.read(path)
         np.testing.assert_array_equal(found["points"],
                                       np.arange(6.).reshape(2, 3))
         np.testing.assert_array_equal(found["part"], np.arange(4))
+        block = zlib.compress(np.arange(6.).tobytes())
+        with open(path, "wb") as file:
+            file.write(
+                b'<VTKFile header_type="UInt64">\n<DataArray type="Float64" '
+                b'NumberOfComponents="3" Name="points" format="appended" '
+                b'offset="0"/>\n<AppendedData encoding="raw">\n_'
+                + np.array([1, 48, 0, len(block)], np.uint64).tobytes()
+                + block + b"\n</AppendedData>\n</VTKFile>\n")
+        np.testing.assert_array_equal(vtk_file.read(path)["points"],
+                                      found["points"])
 
     def test_cut(self):
         """A plane cuts cells in polygons that fill its section, also where

@@ -327,7 +327,7 @@ def write_mesh(path, scale, stature=1.7, tissue=None, axes=np.eye(3)):
               ("pressure", (scale * height).astype(np.float32), 1, "Pa")]
     arrays += [(name, (1e-6 * scale * height).astype(np.float32), 1, "-")
                for name in ("highest_pressure", "largest_principal_strain")]
-    tiny_files.write(path, *tiny_files.appended(arrays))
+    tiny_files.write(path, tiny_files.elements(arrays))
 
 
 def write_anatomy(folder):

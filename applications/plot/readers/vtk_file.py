@@ -3,36 +3,54 @@
 """Reads the VTK XML files that solvers write."""
 
 import base64
-import re
 import xml.etree.ElementTree as xml
 import zlib
 
 import numpy as np
 
-_TYPES = {"Float64": np.float64, "Float32": np.float32, "UInt32": np.uint32,
-          "Int64": np.int64, "UInt8": np.uint8}
-_ARRAY = re.compile(
-    r'<DataArray type="(\w+)" Name="([^"]*)" NumberOfComponents="(\d+)"'
-    r' format="appended" offset="(\d+)"'
-    r'(?:/>|><InformationKey name="UNITS_LABEL" location="vtkDataArray">'
-    r'([^<]*)<)')
+_WORDS = {"UInt32": np.uint32, "UInt64": np.uint64}
+# What broken files make of these.
+_BROKEN = (ValueError, IndexError, KeyError, AttributeError, TypeError,
+           OverflowError, xml.ParseError, zlib.error)
 
 
-def _decompress(content, begin):
-    """The bytes of one array: header of block sizes, then blocks."""
-    n_blocks = int(np.frombuffer(content, np.uint64, 1, begin)[0])
-    sizes = np.frombuffer(content, np.uint64, n_blocks, begin + 24)
-    place = begin + 24 + 8 * n_blocks
+def _inflate(content, word):
+    """The bytes of an array: its header of counts (blocks, sizes), each a
+    @p word, then its blocks."""
+    n_blocks = int(np.frombuffer(content, word, 1)[0])
+    place = (3 + n_blocks) * np.dtype(word).itemsize
     parts = []
-    for size in sizes:
+    for size in np.frombuffer(content, word, 3 + n_blocks)[3:]:
         parts.append(zlib.decompress(content[place:place + int(size)]))
         place += int(size)
     return b"".join(parts)
 
 
+def _decode(text, word):
+    """The bytes of header and blocks, which are coded each by itself."""
+    size = np.dtype(word).itemsize
+    n_blocks = int(np.frombuffer(base64.b64decode(text[:12]), word, 1)[0])
+    length = 4 * -(-size * (3 + n_blocks) // 3)
+    return base64.b64decode(text[:length]) + base64.b64decode(text[length:])
+
+
+def _numbers_of(element, content, word):
+    """The numbers of an array, with a row for each tuple."""
+    kind = np.dtype(element.get("type").lower())
+    return np.frombuffer(_inflate(content, word), kind).reshape(
+        -1, int(element.get("NumberOfComponents", 1)))
+
+
+def decode(element):
+    """The numbers of an array that deal.II wrote into its element."""
+    return _numbers_of(element, _decode(element.text.strip(), np.uint32),
+                       np.uint32)
+
+
 def read(path):
-    """All arrays by name; those with several components have a row for each
-    tuple. A ValueError names a file that is no such one."""
+    """All compressed arrays by name, "points" without one; those with several
+    components have a row for each tuple. A ValueError names a file that is no
+    such one."""
     return {name: values for name, (values, _) in _open(path)[1].items()}
 
 
@@ -43,12 +61,13 @@ class Image:
     A ValueError names a file that is no such one."""
 
     def __init__(self, path):
-        head, arrays = _open(path)
+        root, arrays = _open(path)
         try:
-            extent = _numbers(head, r'WholeExtent="([^"]*)"')
-            origin = _numbers(head, r'Origin="([^"]*)"')
-            spacing = _numbers(head, r'Spacing="([^"]*)"')
-            self.time = _numbers(head, r'Name="TimeValue"[^>]*>([^<]*)<')[0]
+            grid = root.find("ImageData")
+            extent, origin, spacing = (_numbers(grid.get(name)) for name in (
+                "WholeExtent", "Origin", "Spacing"))
+            self.time = _numbers(
+                root.find(".//DataArray[@Name='TimeValue']").text)[0]
             axes = [axis for axis in range(3) if extent[2 * axis + 1] > 0]
             self.axes = ["xyz"[axis] for axis in axes]
             self.counts = [int(extent[2 * axis + 1]) + 1 for axis in axes]
@@ -61,61 +80,45 @@ class Image:
             self.fields = {
                 name: (values.reshape(self.counts[::-1]), unit)
                 for name, (values, unit) in arrays.items()}
-        except (ValueError, IndexError) as problem:
+        except _BROKEN as problem:
             raise ValueError(f"{path}: no picture in a plane") from problem
 
 
-def _numbers(head, pattern):
-    """Of an attribute or element; a ValueError if missing or not finite."""
-    found = re.search(pattern, head)
-    values = [float(word) for word in found[1].split()] if found else []
-    if not values or not np.isfinite(values).all():
-        raise ValueError(f"{pattern} is missing")
+def _numbers(text):
+    """Of an attribute or element; a ValueError if not finite."""
+    values = [float(word) for word in text.split()]
+    if not np.isfinite(values).all():
+        raise ValueError(f"{text} is not finite")
     return values
 
 
 def _open(path):
-    """What describes the arrays, and these by name with their units."""
+    """The root of the file, and the arrays by name with their units."""
     with open(path, "rb") as file:
         content = file.read()
     try:
         return _arrays(content)
-    except (ValueError, IndexError, KeyError, zlib.error) as problem:
+    except _BROKEN as problem:
         raise ValueError(f"{path}: no VTK file of compressed arrays, or cut "
                          "off") from problem
 
 
 def _arrays(content):
-    mark = b'<AppendedData encoding="raw">\n_'
-    end = content.index(mark)
-    begin = end + len(mark)
-    head = content[:end].decode("ascii")
+    # Bytes may also be appended as they are, which is no XML.
+    head, mark, data = content.partition(b'<AppendedData encoding="raw">\n_')
+    root = xml.fromstring(head + b"</VTKFile>" if mark else content)
+    word = _WORDS[root.get("header_type", "UInt32")]
     arrays = {}
-    for match in _ARRAY.finditer(head):
-        kind, name, components, offset, unit = match.groups()
-        values = np.frombuffer(_decompress(content, begin + int(offset)),
-                               _TYPES[kind])
-        if int(components) > 1:
-            values = values.reshape(-1, int(components))
-        arrays[name] = values, unit or ""
-    return head, arrays
-
-
-def decode(element):
-    """The numbers of an array that deal.II wrote into its element: a header of
-    four-byte counts (blocks, sizes), then the blocks, each half coded by
-    itself."""
-    text = element.text.strip()
-    blocks = np.frombuffer(base64.b64decode(text[:8])[:4], np.uint32)[0]
-    header = 4 * -(-4 * (3 + int(blocks)) // 3)
-    sizes = np.frombuffer(base64.b64decode(text[:header]), np.uint32)
-    data = base64.b64decode(text[header:])
-    content, begin = b"", 0
-    for size in sizes[3:3 + blocks]:
-        content += zlib.decompress(data[begin:begin + size])
-        begin += size
-    numbers = np.frombuffer(content, _TYPES[element.get("type")])
-    return numbers.reshape(-1, int(element.get("NumberOfComponents", 1)))
+    for element in root.iter("DataArray"):
+        if element.get("format") == "ascii":
+            continue
+        packed = memoryview(data)[int(element.get("offset")):] if mark \
+            else _decode(element.text.strip(), word)
+        values = _numbers_of(element, packed, word)
+        arrays[element.get("Name", "points")] = (
+            values if values.shape[1] > 1 else values[:, 0],
+            element.findtext("InformationKey", ""))
+    return root, arrays
 
 
 def _deal_arrays(path):
@@ -126,11 +129,6 @@ def _deal_arrays(path):
     for array in piece.findall("PointData/DataArray"):
         found[array.get("Name")] = decode(array)
     return found
-
-
-# What broken files make of these.
-_BROKEN = (ValueError, IndexError, KeyError, AttributeError, TypeError,
-           xml.ParseError, zlib.error)
 
 
 def read_points(path):

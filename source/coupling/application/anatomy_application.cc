@@ -230,9 +230,9 @@ namespace coupling
       double estimate_output(const HexMeshSize &size) const
       {
         const bool is_smooth = parameters_.smoothing.iterations > 0;
-        double bytes = 2e4 + (is_smooth ? 38. : 15.) * size.cells;
+        double bytes = 2e4 + (is_smooth ? 51. : 20.) * size.cells;
         if (parameters_.write_surface)
-          bytes += (is_smooth ? 132. : 118.) * size.facets;
+          bytes += (is_smooth ? 143. : 124.) * size.facets;
         if (parameters_.levels > 0)
           bytes += 12. * size.cells;
         if (parameters_.write_gmsh)
@@ -242,7 +242,7 @@ namespace coupling
           auto box = surface_->bounding_box();
           box.extend(4. * parameters_.distance_spacing);
           bytes +=
-            3.5 * box.volume() / std::pow(parameters_.distance_spacing, 3);
+            4.7 * box.volume() / std::pow(parameters_.distance_spacing, 3);
         }
         if (parameters_.draw)
           bytes += 8e4 + 9e3 * body_->parts().size();

@@ -6,6 +6,8 @@
 #include <contrecoup/io/file/checked_file.h>
 #include <contrecoup/io/file/vtk_file.h>
 
+#include <deal.II/base/utilities.h>
+
 #include <zlib.h>
 
 namespace contrecoup
@@ -42,9 +44,11 @@ namespace io
       return "UInt8";
     }
 
-    void append_number(std::string &text, const std::uint64_t number)
+    void append_number(std::vector<unsigned char> &bytes,
+                       const std::uint64_t number)
     {
-      text.append(reinterpret_cast<const char *>(&number), sizeof(number));
+      const auto *begin = reinterpret_cast<const unsigned char *>(&number);
+      bytes.insert(bytes.end(), begin, begin + sizeof(number));
     }
 
     /// Text of an attribute in XML.
@@ -63,19 +67,18 @@ namespace io
       return result;
     }
 
-    /// Compresses data in blocks, with VTK's header: number of blocks, block
-    /// size, size of a smaller last block, and compressed sizes.
-    std::string compress_blocks(const unsigned char *data,
+    /// Compresses data in blocks, as text: VTK's header (number of blocks,
+    /// block size, size of a smaller last block, compressed sizes), then the
+    /// blocks.
+    std::string compressed_text(const unsigned char *data,
                                 const std::size_t n_bytes)
     {
       constexpr std::size_t block_size = 1 << 20;
       constexpr int fastest = 1;
-      const std::size_t n_blocks = (n_bytes + block_size - 1) / block_size;
-      std::string header;
-      append_number(header, n_blocks);
+      std::vector<unsigned char> header, content;
+      append_number(header, (n_bytes + block_size - 1) / block_size);
       append_number(header, block_size);
       append_number(header, n_bytes % block_size);
-      std::string content;
       std::vector<unsigned char> buffer(compressBound(block_size));
       for (std::size_t begin = 0; begin < n_bytes; begin += block_size)
       {
@@ -89,9 +92,10 @@ namespace io
           throw SystemError("zlib cannot compress a field: error " +
                             std::to_string(status));
         append_number(header, size);
-        content.append(reinterpret_cast<const char *>(buffer.data()), size);
+        content.insert(content.end(), buffer.data(), buffer.data() + size);
       }
-      return header + content;
+      return dealii::Utilities::encode_base64(header) +
+             dealii::Utilities::encode_base64(content);
     }
   } // namespace
 
@@ -112,18 +116,17 @@ namespace io
     if (section != section_)
     {
       if (!section_.empty())
-        description_ += "</" + section_ + ">\n";
-      description_ += "<" + section + ">\n";
+        content_.push_back("</" + section_ + ">\n");
+      content_.push_back("<" + section + ">\n");
       section_ = section;
     }
-    const std::string key = "<InformationKey name=\"UNITS_LABEL\" "
-                            "location=\"vtkDataArray\">" +
-                            unit + "</InformationKey></DataArray>\n";
-    description_ += "<DataArray " + attributes +
-                    " format=\"appended\" offset=\"" + std::to_string(offset_) +
-                    (unit.empty() ? "\"/>\n" : "\">" + key);
-    blocks_.push_back(compress_blocks(data, n_bytes));
-    offset_ += blocks_.back().size();
+    content_.push_back("<DataArray " + attributes + " format=\"binary\">");
+    content_.push_back(compressed_text(data, n_bytes));
+    if (!unit.empty())
+      content_.push_back("<InformationKey name=\"UNITS_LABEL\" "
+                         "location=\"vtkDataArray\">" +
+                         unit + "</InformationKey>");
+    content_.push_back("</DataArray>\n");
   }
 
   template <typename Number>
@@ -168,12 +171,11 @@ namespace io
           << type_ << " " << grid_attributes_ << ">\n";
       if (!field_data_.empty())
         out << "<FieldData>\n" << field_data_ << "</FieldData>\n";
-      out << "<Piece " << piece_attributes_ << ">\n"
-          << description_ << "</" << section_ << ">\n</Piece>\n</" << type_
-          << ">\n<AppendedData encoding=\"raw\">\n_";
-      for (const std::string &block : blocks_)
-        out.write(block.data(), block.size());
-      out << "\n</AppendedData>\n</VTKFile>\n";
+      out << "<Piece " << piece_attributes_ << ">\n";
+      for (const std::string &part : content_)
+        out << part;
+      out << "</" << section_ << ">\n</Piece>\n</" << type_
+          << ">\n</VTKFile>\n";
     });
   }
 

@@ -6,6 +6,8 @@
 #include <contrecoup/io/file/checked_file.h>
 #include <contrecoup/io/file/vtk_input.h>
 
+#include <deal.II/base/utilities.h>
+
 #include <zlib.h>
 
 #include <algorithm>
@@ -36,14 +38,15 @@ namespace io
   {
     require_readable("the fields", file);
     content_ = read_file(file);
-    const std::string mark = "<AppendedData encoding=\"raw\">\n_";
-    const std::size_t end = content_.find(mark);
     if (content_.find("<VTKFile ") == std::string::npos ||
-        end == std::string::npos)
-      refuse("it is no VTK file with appended arrays");
-    const std::string description = content_.substr(0, end);
-    extent_ = attribute(description, "WholeExtent");
-    find_arrays(description, end + mark.size());
+        attribute(content_, "compressor") != "vtkZLibDataCompressor" ||
+        attribute(content_, "header_type") != "UInt64")
+      refuse("it is no VTK file of arrays compressed by zlib, with headers of "
+             "type UInt64");
+    if (content_.rfind("</VTKFile>") == std::string::npos)
+      refuse("it is cut off");
+    extent_ = attribute(content_, "WholeExtent");
+    find_arrays();
   }
 
 
@@ -53,21 +56,31 @@ namespace io
   }
 
 
-  void VtkInput::find_arrays(const std::string &description,
-                             const std::size_t data)
+  void VtkInput::find_arrays()
   {
+    const std::string data = "<AppendedData encoding=\"raw\">\n_";
     const std::string mark = "<DataArray ";
-    for (std::size_t begin = description.find(mark); begin != std::string::npos;
-         begin = description.find(mark, begin + 1))
+    const std::size_t raw = content_.find(data);
+    for (std::size_t begin = content_.find(mark); begin < raw;
+         begin = content_.find(mark, begin + 1))
     {
-      const std::string tag =
-        description.substr(begin, description.find('>', begin) - begin);
-      if (attribute(tag, "format") == "appended")
-        arrays_.push_back(
-          {attribute(tag, "type"),
-           attribute(tag, "Name"),
-           data +
-             std::strtoull(attribute(tag, "offset").c_str(), nullptr, 10)});
+      const std::size_t end = content_.find('>', begin);
+      const std::size_t next = content_.find('<', end);
+      if (next == std::string::npos)
+        refuse("it is cut off");
+      const std::string tag = content_.substr(begin, end - begin);
+      const std::string format = attribute(tag, "format");
+      Array array{attribute(tag, "type"),
+                  attribute(tag, "Name"),
+                  end + 1,
+                  next - end - 1,
+                  format == "appended" && raw != std::string::npos};
+      if (array.is_raw)
+        array.begin =
+          raw + data.size() +
+          std::strtoull(attribute(tag, "offset").c_str(), nullptr, 10);
+      if (array.is_raw || format == "binary")
+        arrays_.push_back(array);
     }
   }
 
@@ -81,30 +94,60 @@ namespace io
   }
 
 
-  std::uint64_t VtkInput::number_at(const std::size_t place) const
+  std::uint64_t VtkInput::number_at(const std::string &bytes,
+                                    const std::size_t place) const
   {
     std::uint64_t number = 0;
-    if (place > content_.size() || content_.size() - place < sizeof(number))
+    if (place > bytes.size() || bytes.size() - place < sizeof(number))
       refuse("it is cut off");
-    std::memcpy(&number, content_.data() + place, sizeof(number));
+    std::memcpy(&number, bytes.data() + place, sizeof(number));
     return number;
   }
 
 
-  std::string VtkInput::decompress(const std::size_t place) const
+  std::string VtkInput::decode(const std::string &text) const
+  {
+    const auto part = [&](const std::size_t begin, const std::size_t size) {
+      const std::string letters = text.substr(begin, size);
+      try
+      {
+        if (letters.size() % 4 == 0)
+        {
+          const auto bytes = dealii::Utilities::decode_base64(letters);
+          return std::string(bytes.begin(), bytes.end());
+        }
+      }
+      catch (const std::exception &)
+      {}
+      refuse("an array in it is damaged");
+    };
+    // The header is text of its own, as long as its first number tells.
+    const std::uint64_t n_blocks = number_at(part(0, 12), 0);
+    if (n_blocks > text.size())
+      refuse("sizes in it are damaged");
+    const std::size_t size =
+      4 * (((3 + n_blocks) * sizeof(std::uint64_t) + 2) / 3);
+    if (size > text.size())
+      refuse("it is cut off");
+    return part(0, size) + part(size, std::string::npos);
+  }
+
+
+  std::string VtkInput::decompress(const std::string &bytes,
+                                   const std::size_t place) const
   {
     const std::uint64_t word = sizeof(std::uint64_t);
-    const std::uint64_t n_blocks = number_at(place);
-    const std::uint64_t block_size = number_at(place + word);
-    const std::uint64_t last_size = number_at(place + 2 * word);
-    if (n_blocks > content_.size())
+    const std::uint64_t n_blocks = number_at(bytes, place);
+    const std::uint64_t block_size = number_at(bytes, place + word);
+    const std::uint64_t last_size = number_at(bytes, place + 2 * word);
+    if (n_blocks > bytes.size())
       refuse("sizes in it are damaged");
     std::string result;
     std::size_t begin = place + (3 + n_blocks) * word;
     for (std::uint64_t block = 0; block < n_blocks; ++block)
     {
-      const std::uint64_t packed = number_at(place + (3 + block) * word);
-      if (begin > content_.size() || packed > content_.size() - begin)
+      const std::uint64_t packed = number_at(bytes, place + (3 + block) * word);
+      if (begin > bytes.size() || packed > bytes.size() - begin)
         refuse("it is cut off");
       const bool is_short = block + 1 == n_blocks && last_size > 0;
       uLongf size = is_short ? last_size : block_size;
@@ -116,7 +159,7 @@ namespace io
       if (uncompress(
             reinterpret_cast<unsigned char *>(&result[before]),
             &size,
-            reinterpret_cast<const unsigned char *>(content_.data() + begin),
+            reinterpret_cast<const unsigned char *>(bytes.data() + begin),
             packed) != Z_OK ||
           size != wanted)
         refuse("an array in it is damaged");
@@ -134,7 +177,11 @@ namespace io
       });
     if (found == arrays_.end() || found->type != "Float64")
       refuse("it has no array \"" + name + "\" of doubles");
-    const std::string bytes = decompress(found->begin);
+    const std::string bytes =
+      found->is_raw ? decompress(content_, found->begin)
+                    : decompress(decode(dealii::Utilities::trim(
+                                   content_.substr(found->begin, found->size))),
+                                 0);
     if (bytes.size() % sizeof(double) != 0)
       refuse("an array in it is damaged");
     std::vector<double> values(bytes.size() / sizeof(double));

@@ -7,14 +7,12 @@ the exact value is zero; of several the last one that matches counts. Patterns
 are of "COLUMN" or "FILE:COLUMN", with * and ?.
 """
 
-import base64
 import csv
 import fnmatch
 import io
 import os
 import re
 import sys
-import zlib
 
 import numpy
 
@@ -32,7 +30,9 @@ def read(path):
     if path.endswith(".h5"):
         return read_hdf5(path)
     if path.endswith((".vtu", ".vti", ".vtp")):
-        return read_mesh(path)
+        sys.path.append(APPLICATIONS)
+        from plot.readers import vtk_file
+        return vtk_file.read(path)
     with open(path, newline="", encoding="utf-8") as file:
         return read_table(file.read())
 
@@ -67,38 +67,6 @@ def read_hdf5(path):
                 found[name] = item[...]
         file.visititems(visit)
     return found
-
-
-def read_mesh(path):
-    """Arrays of a VTK XML file with compressed base64 text, as deal.II writes
-    them, or with appended ones, as applications/plot reads them."""
-    with open(path, "rb") as file:
-        content = file.read()
-    if b"<AppendedData" in content:
-        sys.path.append(APPLICATIONS)
-        from plot.readers import vtk_file
-        return vtk_file.read(path)
-    found = {}
-    for match in re.finditer(rb'<DataArray type="(\w+)"([^>]*)format="binary"'
-                             rb'[^>]*>\s*([^<\s]+)\s*<', content):
-        name = re.search(rb'Name="([^"]*)"', match[2])
-        found[name[1].decode() if name else "points"] = numpy.frombuffer(
-            inflate(match[3]), match[1].decode().lower())
-    if not found:
-        raise ValueError(f"{path} has no arrays of compressed text")
-    return found
-
-
-def inflate(text):
-    """The bytes of an array: numbers of blocks and bytes, then the blocks."""
-    n_blocks = numpy.frombuffer(base64.b64decode(text[:8])[:4], "uint32")[0]
-    length = -(-4 * (3 + int(n_blocks)) // 3) * 4
-    sizes = numpy.frombuffer(base64.b64decode(text[:length]), "uint32")[3:]
-    blocks, place, parts = base64.b64decode(text[length:]), 0, []
-    for size in sizes:
-        parts.append(zlib.decompress(blocks[place:place + int(size)]))
-        place += int(size)
-    return b"".join(parts)
 
 
 def flaw(values, may_miss):

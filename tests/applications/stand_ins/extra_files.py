@@ -152,7 +152,7 @@ def write_gauge_line(output, entries):
 
 def write_vtu(output, entries):
     """Two tetrahedra; flaw: words, an array of texts."""
-    head, data = tiny_files.appended([
+    text = tiny_files.elements([
         ("points", numpy.array([[0., 0., 0.], [1., 0., 0.], [0., 1., 0.],
                                 [0., 0., 1.], [1., 1., 1.]]), 3, ""),
         ("connectivity", numpy.array([0, 1, 2, 3, 1, 2, 3, 4], "uint32"), 1, ""),
@@ -160,7 +160,7 @@ def write_vtu(output, entries):
         ("types", numpy.array([10, 10], "uint8"), 1, ""),
         ("pressure", numpy.arange(5.), 1, "Pa"),
         ("tissue", numpy.array([1, 2], "uint8"), 1, "")])
-    lines = head.splitlines()
+    lines = text.splitlines()
     sections = {"Points": lines[:1], "Cells": lines[1:4],
                 "PointData": lines[4:5], "CellData": lines[5:]}
     if entries["Flaw"] == "words":
@@ -170,11 +170,8 @@ def write_vtu(output, entries):
                      for name, rows in sections.items())
     tiny_files.write(
         os.path.join(output, "fields", "mesh_0000.vtu"),
-        '<VTKFile type="UnstructuredGrid" version="1.0" byte_order="LittleEndian"'
-        ' header_type="UInt64" compressor="vtkZLibDataCompressor">\n'
         '<UnstructuredGrid>\n<Piece NumberOfPoints="5" NumberOfCells="2">\n'
-        + body + "\n</Piece>\n</UnstructuredGrid>\n",
-        data + b"\n</AppendedData>\n</VTKFile>\n")
+        + body + "\n</Piece>\n</UnstructuredGrid>\n")
 
 
 WRITERS = {"line": write_gauge_line, "vtu": write_vtu,

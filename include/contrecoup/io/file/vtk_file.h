@@ -11,9 +11,10 @@ namespace contrecoup
 {
 namespace io
 {
-  /// A VTK XML file with compressed (zlib), appended binary arrays, for
-  /// ParaView. Arrays are compressed when they are added, which saves memory.
-  /// VtkInput reads it.
+  /// A VTK XML file for ParaView, with arrays in the form of deal.II's: in
+  /// their elements, compressed by zlib, as text (base64), as only few readers
+  /// know raw bytes. Arrays are compressed when they are added, which saves
+  /// memory. VtkInput reads it.
   class VtkFile
   {
   public:
@@ -64,9 +65,7 @@ namespace io
     std::string piece_attributes_;
     std::string field_data_;
     std::string section_;
-    std::string description_;
-    std::vector<std::string> blocks_;
-    std::uint64_t offset_ = 0;
+    std::vector<std::string> content_; ///< of the piece
   };
 
   /// VTK cell types of linear hexahedra and quadrilaterals.

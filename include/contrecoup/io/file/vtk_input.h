@@ -11,8 +11,9 @@ namespace contrecoup
 {
 namespace io
 {
-  /// Reads a VTK XML file as VtkFile writes it, which may be damaged: no
-  /// allocation exceeds what the size of the file justifies.
+  /// Reads a VTK XML file as VtkFile writes it, or with its arrays appended as
+  /// raw bytes. The file may be damaged: no allocation exceeds what its size
+  /// justifies.
   class VtkInput
   {
   public:
@@ -39,12 +40,15 @@ namespace io
       std::string type;
       std::string name;
       std::size_t begin; ///< in the content
+      std::size_t size;  ///< of the text; raw bytes tell theirs themselves
+      bool is_raw;
     };
 
     [[noreturn]] void refuse(const std::string &why) const;
-    void find_arrays(const std::string &description, std::size_t data);
-    std::uint64_t number_at(std::size_t place) const;
-    std::string decompress(std::size_t place) const;
+    void find_arrays();
+    std::string decode(const std::string &text) const;
+    std::uint64_t number_at(const std::string &bytes, std::size_t place) const;
+    std::string decompress(const std::string &bytes, std::size_t place) const;
 
     std::string file_;
     std::string content_;
