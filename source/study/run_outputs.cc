@@ -134,8 +134,11 @@ void RunOutputs::mark_lower_limits()
   for (const auto &[address, output] : values_)
     for (const std::string flag : {"cut_off", "cut off"})
       if (output.value == 1. && ends_with(address, flag))
-        for (const char *const name :
-             {"impulse", "duration", "positive_phase", "positive phase"})
+        for (const char *const name : {"impulse",
+                                       "duration",
+                                       "positive_phase",
+                                       "positive phase",
+                                       "value"})
           if (const auto found = values_.find(
                 address.substr(0, address.size() - flag.size()) + name);
               found != values_.end())

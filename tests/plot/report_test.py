@@ -1283,11 +1283,78 @@ class ReportTest(unittest.TestCase):
         self.assertNotIn(verdict.UNSURE, str(verdict._lungs([wall, skin])))
         skin.error = 0.5
         self.assertIn(verdict.UNSURE, str(verdict._lungs([wall, skin])))
+        # A load that the end of the run cuts off may yet exceed it.
+        cut = injury_table.Judged(
+            "lung_exposure_back", 0.1, "-", injury_thresholds.Known(
+                "", [limit], "", ""), None, "", is_cut=True)
+        self.assertEqual(verdict._lungs([wall, cut]).words, "lungs not judged")
+        wall.value = 4.
+        self.assertEqual(verdict._lungs([wall, cut]).words,
+                         "lung injury trace to slight injury")
         # Without a gauge at chest and back the load alone decides, or nothing.
         self.assertEqual(verdict._lungs([skin]).words, "lung injury possible")
         mesh = judged("injury_chest_wall_velocity_mesh", 1.)
         self.assertEqual(verdict._lungs([mesh]).words, "lungs not judged")
         self.assertIsNone(verdict._lungs([]))
+
+    def cut_off(self, *changes):
+        """A copy of the scene whose run ends before all loads on the skin do,
+        with changes of what it found."""
+        folder = self.copy_without("biomechanics/fields.pvd", "blast/fields")
+        path = os.path.join(folder, "blast", "gauge_injury.csv")
+        with open(path, encoding="utf-8") as file:
+            found = file.read()
+        for before, after in changes:
+            self.assertIn(before, found)
+            found = found.replace(before, after)
+        head, *rows = found.splitlines()
+        tiny_scene.write(path, "\n".join(
+            [head + ",cut off [-]", *(row + ",1" for row in rows)]) + "\n")
+        return folder
+
+    def test_loads_that_the_end_cuts(self):
+        """Their measures are lower limits in all that a scene says, and no
+        verdict where they are below all thresholds."""
+        mild = (("6.632", "1.2"), ("0.26398", "0.1"), ("0.78773", "0.01"))
+        made = Made(self.cut_off(*mild))
+        self.assertEqual(made.code, 0, made.errors)
+        self.expect(
+            text_of(made.page), "Survival not judged (the run ends before the "
+            "positive phase does; ", "eardrums not judged (≥ 1.0 %, by the "
+            "tables 95 %); lungs not judged (the run ends too early)",
+            "≥ 1.20 m/s", "≥ 0.100", "not judged: the run ends too early",
+            "The run ends too early: rupture probability of the left eardrum, "
+            "mean chest wall velocity, chest load over the 50 % lethality load "
+            "and probability of death by lung injury are lower limits; a later Scene/End time gives all of it")
+        folder = self.cut_off(*mild)
+        Made(folder)
+        with open(os.path.join(folder, "report.json"),
+                  encoding="utf-8") as file:
+            told = json.load(file)
+        self.assertEqual({one["name"] for one in told["measures"]
+                          if one["is_lower_limit"]},
+                         {one["name"] for one in told["measures"]
+                          if not one["name"].startswith("injury_")})
+        self.assertEqual({one["severity"] for one in told["measures"]
+                          if one["is_lower_limit"]}, {"none"})
+        # What is exceeded already stays so.
+        self.expect(text_of(Made(self.cut_off()).page),
+                    "eardrums probably rupture (≥ 79 %",
+                    "lung injury trace to moderate or worse")
+        self.assertNotIn("lower limit", self.text.replace(
+            "their values are lower limits", ""))
+
+    def test_lungs_in_the_open_of_a_run_that_ends_early(self):
+        """The load beside the body decides where that on the skin is cut."""
+        folder = self.cut_off(("6.632", "1.2"))
+        change_json(folder, "scene.json", lambda facts: facts.update(
+            probe_beside_body=[0.008, 2.337, 1.27]))
+        path = os.path.join(folder, "blast", "probe_injury.csv")
+        with open(path, encoding="utf-8") as file:
+            found = file.read()
+        tiny_scene.write(path, found.replace("0.4321", "0.12"))
+        self.expect(text_of(Made(folder).page), "Survives (", "no lung injury "
+                    "(by the load alone, 0.120 of the median lethal one")
 
     def test_brains_that_are_held_have_no_verdict(self):
         for value in (1., 0., None):

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/solid/injury/brain_measures.h>
 #include <contrecoup/solid/injury/chest_injury.h>
 
 #include <gtest/gtest.h>
@@ -13,11 +14,14 @@ using namespace contrecoup::solid;
 
 namespace
 {
-/// Friedlander's wave of 200 kPa and 5 ms, followed from @p start on.
-void follow_blast(ChestInjury &chest, const double start)
+/// Friedlander's wave of 200 kPa and 5 ms, followed from @p start on for four
+/// times as long, or for @p n_samples of 5 microseconds.
+void follow_blast(ChestInjury &chest,
+                  const double start,
+                  const unsigned int n_samples = 4001)
 {
   const double duration = 5e-3;
-  for (unsigned int i = 0; i <= 4000; ++i)
+  for (unsigned int i = 0; i < n_samples; ++i)
   {
     const double s = i / 1000.;
     chest.record(
@@ -54,6 +58,28 @@ TEST(ChestInjury, OfFriedlandersWaveIsKnownWheneverItArrives)
     EXPECT_DOUBLE_EQ(found.at("injury_chest_pressure_peak"), 200e3);
     EXPECT_NEAR(found.at("injury_lung_exposure"), 200. / 941., 1e-3);
     EXPECT_NEAR(found.at("injury_chest_wall_velocity_mesh"), 2.25, 1e-12);
+  }
+}
+
+
+// The wave lasts for 1000 samples, of which the first is its peak; the wall is
+// fastest within the first 700, its image in the mesh after 1500.
+TEST(ChestInjury, CallsWhatTheEndCutsOffALowerLimit)
+{
+  dealii::ParameterHandler prm;
+  ChestInjury::declare_parameters(prm);
+  for (const auto &[n_samples, limits] : std::map<unsigned int, std::string>{
+         {100, "10111"}, {700, "10001"}, {1100, "10000"}, {4001, "00000"}})
+  {
+    ChestInjury chest;
+    chest.parse_parameters(prm);
+    follow_blast(chest, 0., n_samples);
+    std::string found;
+    for (const InjuryMeasure &measure : chest.measures())
+      found += measure.is_cut ? "1" : "0";
+    EXPECT_EQ(found, limits) << n_samples;
+    EXPECT_EQ(to_csv(chest.measures()).find("\",1\n") != std::string::npos,
+              n_samples < 4001);
   }
 }
 

@@ -83,14 +83,19 @@ TEST_F(SceneFolder, MarksLowerLimits)
   write("blast/gauge_measures.csv",
         "place,impulse [Pa s],positive phase [s],cut off [-]\n"
         "chest,1,2,1\nback,1,2,0\n");
+  write("blast/gauge_injury.csv",
+        "measure,place,value,unit,definition,cut off [-]\n"
+        "velocity,chest,1,m/s,\"a, b\",1\nvelocity,back,1,m/s,\"a, b\",0\n");
   const RunOutputs outputs(folder_.path());
   for (const char *limit : {"blast/results.probe_1_impulse",
                             "blast/gauge_measures.csv:chest:impulse",
-                            "blast/gauge_measures.csv:chest:positive phase"})
+                            "blast/gauge_measures.csv:chest:positive phase",
+                            "blast/gauge_injury.csv:velocity chest:value"})
     EXPECT_TRUE(outputs.at(limit).is_lower_limit) << limit;
   for (const char *other : {"blast/results.probe_1_peak",
                             "blast/results.probe_2_impulse",
-                            "blast/gauge_measures.csv:back:impulse"})
+                            "blast/gauge_measures.csv:back:impulse",
+                            "blast/gauge_injury.csv:velocity back:value"})
     EXPECT_FALSE(outputs.at(other).is_lower_limit) << other;
 }
 

@@ -8,7 +8,7 @@ import os
 import numpy as np
 
 from plot.readers import (fields, files, json_shape, loads, planes, vtk_file)
-from plot.readers.stage import (Measure, Stage, read_entries,
+from plot.readers.stage import (Measure, Stage, is_cut, read_entries,
                                  read_measures)
 
 STAGES = ("anatomy", "blast", "biomechanics")
@@ -301,5 +301,6 @@ def read_gauge_injury(blast, name="gauge_injury.csv"):
             if not np.isfinite(value):
                 raise ValueError(f"{row['measure']}: no number")
             found[row["measure"], row["place"]] = Measure(
-                row["measure"], value, row["unit"], limits=row["definition"])
+                row["measure"], value, row["unit"], limits=row["definition"],
+                is_cut=is_cut(row))
     return found

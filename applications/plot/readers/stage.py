@@ -13,9 +13,18 @@ from plot.readers import files, json_shape, tables
 class Measure:
     """One measure of injury as biomechanics reports it."""
 
-    def __init__(self, name, value, unit, threshold="", limits=""):
+    def __init__(self, name, value, unit, threshold="", limits="",
+                 is_cut=False):
         self.name, self.value, self.unit = name, value, unit
         self.threshold, self.limits = threshold, limits
+        # A lower limit: the run ends too early.
+        self.is_cut = is_cut
+
+
+def is_cut(row):
+    """Whether a row of a table of measures is a lower limit; of tables before
+    0.2.0 that is unknown."""
+    return float(row.get("cut off [-]", 0.)) > 0.
 
 
 class StageTable(tables.Table):
@@ -94,5 +103,5 @@ def read_measures(path):
             for row in files.rows_of(file):
                 measures[row["measure"]] = Measure(
                     row["measure"], float(row["value"]), row["unit"],
-                    row["threshold"], row["limits"])
+                    row["threshold"], row["limits"], is_cut(row))
     return measures

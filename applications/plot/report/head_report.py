@@ -530,7 +530,8 @@ def judge(run):
     all_known = injury_thresholds.known_by(run.parameters)
     return [injury_table.Judged(
         name, measure.value, measure.unit,
-        injury_table.of_file(name, measure, all_known), None, "")
+        injury_table.of_file(name, measure, all_known), None, "",
+        is_cut=measure.is_cut)
             for name, measure in measures(run).items()
             if name not in injury_thresholds.OF_CURVES]
 

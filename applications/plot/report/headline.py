@@ -232,7 +232,7 @@ def _certainty(scene, judged):
             if injury_table.is_trunk_far(scene) else
             "No probe beside the body has the wave in the open: death")
             + " by lung injury follows from the reflected load on the skin.")
-    parts += _walls(scene, judged)
+    parts += _cut_off(judged) + _walls(scene, judged)
     parts += _tables(scene, judged) + _verdicts(scene, judged)
     parts += _afterburn(scene) + _model_bias(scene)
     parts += _loads(scene) + EnergyAudit(scene).reservations() + _limits(scene)
@@ -256,6 +256,16 @@ def _certainty(scene, judged):
         parts.append("The scene is not complete: " + page.joined(
             str(name) for name in failed) + " failed.")
     return parts
+
+
+def _cut_off(judged):
+    """Which measures that could be judged the end of the run makes lower
+    limits."""
+    cut = [entry.short_title() for entry in judged
+           if entry.is_cut and entry.thresholds]
+    return [f"The run ends too early: {page.joined(cut)} "
+            + ("are lower limits" if len(cut) > 1 else "is a lower limit")
+            + "; a later Scene/End time gives all of it."] if cut else []
 
 
 def _walls(scene, judged):

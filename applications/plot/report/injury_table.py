@@ -6,6 +6,7 @@ import math
 import re
 
 from plot.analysis import person
+from plot.readers import stage
 from plot.report import (error_estimate, injury_thresholds, load_impulses,
                          page)
 from plot.report.injury_thresholds import Known
@@ -45,7 +46,8 @@ GROUPS = (("Ears", ("ear_",)),
 
 class Judged:
     """A measure beside its thresholds. Its error is relative; that of a
-    probability is of the measure @p of which follows it by a @p curve."""
+    probability is of the measure @p of which follows it by a @p curve. One that
+    the end of the run cuts off is a lower limit."""
 
     def __init__(self, name, value, unit, known, error, error_of,
                  coarser=None, curve="", of=None, is_cut=False):
@@ -56,7 +58,10 @@ class Judged:
         self.coarser, self.error, self.error_of = coarser, error, error_of
         self.curve, self.of, self.is_cut = curve, of, is_cut
         self.is_fraction = bool(curve) or self.title.startswith("fraction ")
-        self.has_verdict = bool(self.thresholds) and not known.is_exposure
+        # A lower limit that exceeds no threshold yet says nothing.
+        self.is_open = is_cut and not self.exceeded()
+        self.has_verdict = bool(self.thresholds) and not known.is_exposure \
+            and not self.is_open
 
     def short_title(self):
         """The abbreviation, or the title without its brackets."""
@@ -94,10 +99,11 @@ class Judged:
 
     def shown(self, value=None):
         """The value of this run, or another one, in words."""
-        mark = "≥ " if value is None and self.is_cut else ""
+        is_limit = value is None and self.is_cut
         value = self.value if value is None else value
-        return page.chance(value) if self.is_fraction \
-            else mark + page.quantity(value, self.unit)
+        if self.is_fraction:
+            return page.least_chance(value) if is_limit else page.chance(value)
+        return ("≥ " if is_limit else "") + page.quantity(value, self.unit)
 
     def shown_limit(self, limit):
         """A threshold in words."""
@@ -138,8 +144,9 @@ class Judged:
         error is known."""
         if self.error is None:
             return None
+        bounds = self.bounds()[:1] if self.is_cut else self.bounds()
         return all(self.exceeded(bound) == self.exceeded()
-                   for bound in self.bounds())
+                   for bound in bounds)
 
 
 def judge(scene):
@@ -151,11 +158,12 @@ def judge(scene):
         scene.coarser, side, lungs, all_known)
     of_gauges = error_estimate.of_scene_gauges(scene)
     judged = []
-    for name, (value, unit, known) in _measures_of(
+    for name, (measure, known) in _measures_of(
             scene, side, lungs, all_known).items():
-        other = coarser.get(name)
+        value, other = measure.value, coarser.get(name)
+        other = None if other is None else other[0].value
         error, causes = (None, "") if other is None else error_estimate.of(
-            scene, name, value, other[0])
+            scene, name, value, other)
         curve, of = "", None
         if name.startswith("ear_rupture_"):
             place = name[len("ear_rupture_"):]
@@ -175,19 +183,11 @@ def judge(scene):
             error = _at_least(error, of_gauges.get(side, {}).get("peak", 0.))
         else:
             error = _at_least(error, load_impulses.difference(scene))
-        judged.append(Judged(name, value, unit, known, error, causes,
-                             None if other is None else other[0],
-                             curve if of is not None else "", of,
-                             _is_cut(scene, name, side)))
+        judged.append(Judged(name, value, measure.unit, known, error, causes,
+                             other, curve if of is not None else "", of,
+                             measure.is_cut))
     _share_errors(judged)
     return judged
-
-
-def _is_cut(scene, name, side):
-    """Whether a load of the lungs is a lower limit: the run ends before the
-    positive phase that it follows from."""
-    return name == SKIN_NAMES.get(("lung_exposure", side)) and \
-        scene.gauge_measures().get(side, {}).get("cut off", 0.) > 0.
 
 
 def _at_least(error, least):
@@ -268,35 +268,35 @@ def of_file(name, measure, all_known):
 
 
 def _measures_of(run, side, lungs, all_known):
-    """Value, unit, and what is known of each measure, by name; @p run: a
-    Scene or its CoarserRun, @p lungs: see lungs_by()."""
+    """Each Measure and what is known of it, by name; @p run: a Scene or its
+    CoarserRun, @p lungs: see lungs_by()."""
     found = {}
 
-    def add(name, value, unit, known):
-        found[name] = value, unit, known
+    def add(name, measure, known):
+        found[name] = measure, known
 
     _add_skin(run, side, all_known, add)
     load = run.gauge_injury().get(("lung_exposure", side))
     if lungs == "skin" and load is not None:
-        add("lung_lethality", injury_thresholds.probability(
-            "lung_lethality", load.value), load.unit,
+        add("lung_lethality", stage.Measure(
+            "lung_lethality", injury_thresholds.probability(
+                "lung_lethality", load.value), load.unit, is_cut=load.is_cut),
             all_known["lung_lethality"]._replace(limits=OF_THE_SKIN))
     if lungs == "probe":
         for (measure, place), one in run.air_injury().items():
             name = AIR_NAMES.get(measure)
             if place == "probe 1" and name is not None:
-                add(name, one.value, one.unit, all_known[name])
+                add(name, one, all_known[name])
     for name, measure in run.measures().items():
         if name in NO_INJURY or name in injury_thresholds.OF_CURVES:
             continue
-        add(name, measure.value, measure.unit,
-            of_file(name, measure, all_known))
+        add(name, measure, of_file(name, measure, all_known))
     if "lung_exposure_air" in found:
         # The thresholds are those of the load in the open, which is known.
-        for name, (*value, known) in found.items():
+        for name, (measure, known) in found.items():
             if name.startswith(("lung_exposure", "injury_lung_exposure")) \
                     and name != "lung_exposure_air" and not known.is_own:
-                found[name] = *value, known._replace(is_exposure=True)
+                found[name] = measure, known._replace(is_exposure=True)
     return found
 
 
@@ -311,13 +311,12 @@ def _add_skin(run, side, all_known, add):
         if measure == "eardrum_rupture":
             known = all_known["ear_rupture"]
             peak = gauges.get(place, {}).get("peak")
-            add("ear_rupture_" + place, found.value, found.unit,
-                known._replace(
-                    title=known.title.replace("an eardrum", f"the {place}drum"),
-                    limits=known.limits if peak is None else
-                    f"peak {page.quantity(peak, 'Pa')}; {known.limits}"))
+            add("ear_rupture_" + place, found, known._replace(
+                title=known.title.replace("an eardrum", f"the {place}drum"),
+                limits=known.limits if peak is None else
+                f"peak {page.quantity(peak, 'Pa')}; {known.limits}"))
         elif name is not None and side and place in (side, "trunk"):
-            add(name, found.value, found.unit, all_known[name])
+            add(name, found, all_known[name])
 
 
 def find(judged, name):
@@ -345,6 +344,8 @@ def table(scene, judged):
         "this scene (see the section on accuracy) and unknown of what that run lacks. "
         "Thresholds are those commonly cited; they and the tissue properties "
         "are less certain than the numerics."
+        + (" ≥: a lower limit, since the run ends too early."
+           if any(entry.is_cut for entry in judged) else "")
         + (" AIS: abbreviated injury scale, 1 (minor) to 6 (untreatable)."
            if any("AIS" in meaning for entry in judged
                   for _, meaning in entry.thresholds) else ""),
@@ -378,8 +379,8 @@ def table_of(group):
          "thresholds and their source", "verdict", "limitations"),
         [_row(entry) for entry in group], widths=(20, 14, 29, 15, 22),
         data=(("measure", "value", "unit", "least by the numerics",
-               "largest by the numerics", "thresholds", "source", "verdict",
-               "limitations"),
+               "largest by the numerics", "lower limit", "thresholds",
+               "source", "verdict", "limitations"),
               [_data_row(entry) for entry in group]))
 
 
@@ -402,6 +403,7 @@ def _data_row(entry):
     return (entry.title, page.Rounded("", entry.value), entry.unit,
             *("" if entry.error is None else page.Rounded("", bound)
               for bound in entry.bounds() or ("", "")),
+            "yes" if entry.is_cut else "no",
             "; ".join(f"{limit!r}: {meaning}"
                       for limit, meaning in entry.thresholds),
             entry.source, _verdict(entry), entry.limits)
@@ -410,6 +412,9 @@ def _data_row(entry):
 def _verdict(entry):
     if not entry.thresholds:
         return page.tag("span", "no threshold", kind="none")
+    if entry.is_open:
+        return page.tag("span", "not judged: the run ends too early",
+                        kind="none")
     if not entry.has_verdict:
         return page.tag("span", "exposure, no verdict", kind="none")
     count = entry.exceeded()

@@ -235,6 +235,12 @@ def chance(part):
         if 0.99 < part < 1. else percent(part)
 
 
+def least_chance(part):
+    """The same of a lower limit."""
+    return Rounded("≥ " + percent(part if part >= 0.001 else 0.),
+                   100. * part, "%") if part <= 0.99 else chance(part)
+
+
 def interval(low, high):
     """Bounds of what lies between 0 and 1: "17 to 100 %"."""
     if high < 0.001 or low > 0.99:

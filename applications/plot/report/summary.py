@@ -68,6 +68,7 @@ def _verdict(one):
 def _measure(entry):
     return {"name": entry.name, "title": entry.title,
             "value": _number(entry.value), "unit": entry.unit,
+            "is_lower_limit": entry.is_cut,
             **_bounds(entry.bounds()), "coarser": _number(entry.coarser),
             "thresholds": [{"value": limit, "meaning": meaning}
                            for limit, meaning in entry.thresholds],

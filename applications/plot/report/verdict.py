@@ -13,7 +13,9 @@ EARS = ((0.05, "stay intact"), (0.5, "may rupture"),
         (0.95, "probably rupture"), (2., "almost certainly rupture"))
 NO_LEVEL = "none"
 SOUND, POSSIBLE = "no lung injury", "lung injury possible"
+SEVERE = "severe"
 UNSURE = "uncertain by the numerics"
+CUT = "the run ends too early"
 
 
 class Verdict:
@@ -67,6 +69,8 @@ def sentence(scene, found):
 def _word(words, entry, value):
     """What a probability means: published words, or those of thresholds of the
     user's own, after a colon."""
+    if entry.is_open:
+        return " not judged"
     if entry.is_own:
         return ": " + (entry.meaning(value) or "below all thresholds")
     return " " + next(word for limit, word in words if value < limit)
@@ -74,7 +78,7 @@ def _word(words, entry, value):
 
 def _by_the_numerics(entry):
     """The bounds of a probability in words; "" where they say no more."""
-    if entry.error is None:
+    if entry.error is None or entry.is_open:
         return ""
     bounds = page.interval(*entry.bounds())
     return "" if bounds == entry.shown() else f", by the numerics {bounds}"
@@ -96,6 +100,8 @@ def _life(scene, judged):
     entry = injury_table.find(judged, "lung_lethality")
     if entry is None:
         return _cut_off(scene)
+    if entry.is_open:
+        return _not_judged(scene)
     words = _word(LIFE, entry, entry.value).strip()
     if entry.is_own:
         words = f"death by lung injury{words}"
@@ -121,6 +127,11 @@ def _cut_off(scene):
     if injury_table.lungs_by(scene) != "probe" \
             or not scene.blast.found("results", "probe_1_cut_off"):
         return None
+    return _not_judged(scene)
+
+
+def _not_judged(scene):
+    """The verdict on life where the end of the run cuts the load off."""
     known, _ = scene.table_answer("lung_lethality")
     return Verdict("life", "survival not judged", "none",
                    "the run ends before the positive phase does"
@@ -167,7 +178,7 @@ def _ears(scene, judged):
 def _singular(word):
     """" stay intact" of one eardrum: " stays intact"."""
     verb = "stay" if word.startswith(" stay") else "rupture"
-    return word if word.startswith((" may", ":")) \
+    return word if word.startswith((" may", " not", ":")) \
         else word.replace(verb, verb + "s")
 
 
@@ -179,7 +190,7 @@ def _levels(entry, values):
             entry.meaning(value) or NO_LEVEL for value in values))
     meanings = [entry.meaning(value) or NO_LEVEL for value in values]
     words = [NO_LEVEL if meaning == NO_LEVEL else
-             "severe" if "lethality" in meaning else
+             SEVERE if "lethality" in meaning else
              meaning.split(" or ")[end].split(" to ")[end]
              for meaning, end in zip(meanings, (0, -1))]
     return " to ".join(dict.fromkeys(words))
@@ -204,14 +215,18 @@ def _lungs(judged):
         return Verdict("lungs", POSSIBLE, "mid",
                        f"load {load.shown()} of the median lethal one, above "
                        f"the {load.meaning()}{unsure}", load)
-    if entry is None and load is not None:
+    is_known = entry is not None and not entry.is_open
+    if not is_known and load is not None and not load.is_open:
         return Verdict("lungs", SOUND, injury_table.severity(load),
                        f"by the load alone, {load.shown()} of the median "
                        f"lethal one{unsure}", load)
-    if entry is None:
+    if not is_known or (load is not None and load.is_open
+                        and not entry.exceeded()):
         mesh = injury_table.find(judged, "injury_chest_wall_velocity_mesh")
-        return mesh and Verdict("lungs", "lungs not judged", "none",
-                                "no gauge is at chest or back")
+        is_cut = entry is not None or load is not None
+        return (is_cut or mesh) and Verdict(
+            "lungs", "lungs not judged", "none",
+            CUT if is_cut else "no gauge is at chest or back")
     here = _levels(entry, (entry.value, entry.value))
     detail = ""
     if entry.error is not None:
@@ -220,6 +235,8 @@ def _lungs(judged):
     words = SOUND if here == NO_LEVEL else \
         f"chest wall velocity: {here}" if entry.is_own else \
         f"lung injury {here}"
+    if entry.is_cut and here != SEVERE:
+        words += " or worse"
     return Verdict("lungs", words, injury_table.severity(entry), detail, entry)
 
 

@@ -12,10 +12,8 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <optional>
 #include <regex>
-#include <set>
 
 namespace contrecoup::gas
 {
@@ -24,17 +22,34 @@ namespace
   const std::string chest = "chest", back = "back";
   const std::vector<std::string> arms{"left upper arm", "right upper arm"};
   const std::string device = "device ";
-  const std::string header = "measure,place,value,unit,definition\n";
+  const std::string header =
+    "measure,place,value,unit,definition,cut off [-]\n";
 
+  /// @param is_cut whether the value is a lower limit
   std::string row(const std::string &measure,
                   const std::string &place,
                   const double value,
                   const std::string &unit,
-                  const std::string &definition)
+                  const std::string &definition,
+                  const bool is_cut = false)
   {
-    return join({measure, place, exact(value), unit, "\"" + definition + "\""},
+    return join({measure,
+                 place,
+                 exact(value),
+                 unit,
+                 "\"" + definition +
+                   (is_cut ? "; a lower limit: the run ends too early" : "") +
+                   "\"",
+                 is_cut ? "1" : "0"},
                 ",") +
            "\n";
+  }
+
+
+  /// Whether a time is that of the end of the run.
+  bool is_end(const double time, const double end)
+  {
+    return time >= end * (1. - 1e-9);
   }
 
 
@@ -46,28 +61,40 @@ namespace
   }
 
 
+  struct Velocity
+  {
+    double value;
+    bool is_cut; ///< whether it is a lower limit
+  };
+
+
   /// Velocities of the chest wall at places; each that has none is left out.
-  std::vector<double>
+  std::vector<Velocity>
   chest_wall_velocities(const std::map<std::string, LoadInjury> &injuries,
                         const std::vector<std::string> &places)
   {
-    std::vector<double> velocities;
+    std::vector<Velocity> velocities;
     for (const std::string &place : places)
       if (const auto found = injuries.find(place); found != injuries.end())
-        velocities.push_back(found->second.chest_wall_velocity);
+        velocities.push_back(
+          {found->second.chest_wall_velocity, found->second.is_velocity_cut});
     return velocities;
   }
 
 
-  double mean_of(const std::vector<double> &values)
+  Velocity mean_of(const std::vector<Velocity> &velocities)
   {
-    return std::accumulate(values.begin(), values.end(), 0.) / values.size();
+    Velocity mean{0., false};
+    for (const Velocity &velocity : velocities)
+      mean = {mean.value + velocity.value / velocities.size(),
+              mean.is_cut || velocity.is_cut};
+    return mean;
   }
 
 
   /// Mean over front, back and both sides; before a plane of symmetry, one
   /// side stands for both. Not known without front, back and a side.
-  std::optional<double>
+  std::optional<Velocity>
   mean_over_sides(const std::map<std::string, LoadInjury> &injuries,
                   const std::vector<std::string> &front_and_back,
                   const std::vector<std::string> &sides)
@@ -76,7 +103,7 @@ namespace
                second = chest_wall_velocities(injuries, sides);
     if (first.size() < 2 || second.empty())
       return std::nullopt;
-    return 0.5 * (mean_of(first) + mean_of(second));
+    return mean_of({mean_of(first), mean_of(second)});
   }
 
 
@@ -85,25 +112,28 @@ namespace
     std::string text;
     const std::vector<std::string> all{chest, back, arms[0], arms[1]};
     for (const std::string &place : all)
-      for (const double velocity : chest_wall_velocities(injuries, {place}))
+      for (const Velocity &velocity : chest_wall_velocities(injuries, {place}))
         text += row("chest_wall_velocity",
                     place,
-                    velocity,
+                    velocity.value,
                     "m/s",
                     "largest inward velocity of a mass on a spring before one "
                     "lung under the overpressure at this place (Axelsson and "
-                    "Yelverton 1996)");
+                    "Yelverton 1996)",
+                    velocity.is_cut);
     const auto two = chest_wall_velocities(injuries, {chest, back});
     const auto four = mean_over_sides(injuries, {chest, back}, arms);
-    if (two.size() == 2)
-      text +=
-        row("chest_wall_velocity",
-            "trunk",
-            four.value_or(mean_of(two)),
-            "m/s",
-            "mean of the velocities at chest" +
-              std::string(four ? ", back and both upper arms" : " and back"));
-    return text;
+    if (two.size() < 2)
+      return text;
+    const Velocity mean = four.value_or(mean_of(two));
+    return text +
+           row("chest_wall_velocity",
+               "trunk",
+               mean.value,
+               "m/s",
+               "mean of the velocities at chest" +
+                 std::string(four ? ", back and both upper arms" : " and back"),
+               mean.is_cut);
   }
 
 
@@ -117,24 +147,24 @@ namespace
       return "";
     return row("chest_wall_velocity",
                "device",
-               *velocity,
+               velocity->value,
                "m/s",
                "mean over the four gauges of a blast test device (Axelsson "
-               "and Yelverton 1996)") +
+               "and Yelverton 1996)",
+               velocity->is_cut) +
            row("thorax_injury_index",
                "device",
-               thorax_injury_index(*velocity),
+               thorax_injury_index(velocity->value),
                "-",
                "adjusted severity of injury index of that mean (Axelsson and "
                "Yelverton 1996): " +
-                 injury_criterion("chest_wall_mean").meaning(*velocity));
+                 injury_criterion("chest_wall_mean").meaning(velocity->value),
+               velocity->is_cut);
   }
 
 
-  /// @param cut places at which the run ends before the positive phase does
   std::string
-  lung_exposure_rows(const std::map<std::string, LoadInjury> &injuries,
-                     const std::set<std::string> &cut)
+  lung_exposure_rows(const std::map<std::string, LoadInjury> &injuries)
   {
     std::string text;
     for (const std::string &place : {chest, back, arms[0], arms[1]})
@@ -147,11 +177,8 @@ namespace
           found->second.lung_exposure,
           "-",
           "peak overpressure on the skin over the free-field load that half "
-          "survive for this positive phase and body mass (Bowen et al. 1968)" +
-            std::string(
-              cut.count(place) > 0
-                ? "; a lower limit: the run ends before the positive phase does"
-                : ""));
+          "survive for this positive phase and body mass (Bowen et al. 1968)",
+          found->second.pulse.is_cut);
     }
     return text;
   }
@@ -185,7 +212,9 @@ namespace
                     air.place,
                     values[k],
                     air_injury_quantities[k].second,
-                    air_injury_definitions[k]);
+                    air_injury_definitions[k],
+                    air_injury_quantities[k].first == "chest_wall_velocity" &&
+                      air.exposure.chest.is_fastest_now());
     if (with_chest)
       rows +=
         row("peak_overpressure",
@@ -261,8 +290,7 @@ std::string words_of_unknown_lungs(const std::string &places)
 
 bool is_cut_off(const BlastMeasures &blast, const double time)
 {
-  const double round_off = 1e-9 * time;
-  return blast.peak > 0. && blast.arrival + blast.duration >= time - round_off;
+  return blast.peak > 0. && is_end(blast.arrival + blast.duration, time);
 }
 
 
@@ -309,32 +337,31 @@ std::string gauge_injury_table(const std::vector<GaugeBlast> &gauges,
                                const double body_mass)
 {
   std::map<std::string, LoadInjury> injuries;
-  std::set<std::string> cut;
   std::string ears;
+  const double end = times.back();
   for (const GaugeBlast &gauge : gauges)
   {
     if (gauge.place != chest && gauge.place != back &&
         std::count(arms.begin(), arms.end(), gauge.place) == 0 &&
         !is_ear(gauge.place) && gauge.place.rfind(device, 0) != 0)
       continue;
-    const LoadInjury injury =
-      load_injury(times,
-                  gauge.overpressures,
-                  {gauge.blast.peak, gauge.blast.duration},
-                  body_mass);
+    const LoadInjury injury = load_injury(
+      times,
+      gauge.overpressures,
+      {gauge.blast.peak, gauge.blast.duration, is_cut_off(gauge.blast, end)},
+      body_mass);
     injuries[gauge.place] = injury;
-    if (is_cut_off(gauge.blast, times.back()))
-      cut.insert(gauge.place);
     if (is_ear(gauge.place))
       ears += row("eardrum_rupture",
                   gauge.place,
                   injury.eardrum_rupture,
                   "-",
                   "probability by the peak overpressure at this ear (TNO CPR "
-                  "16E, 1992)");
+                  "16E, 1992)",
+                  !(gauge.blast.peak > 0.) || is_end(gauge.peak_time, end));
   }
   const std::string rows = chest_wall_rows(injuries) + device_rows(injuries) +
-                           lung_exposure_rows(injuries, cut) + ears;
+                           lung_exposure_rows(injuries) + ears;
   return rows.empty() ? "" : header + rows;
 }
 

@@ -137,7 +137,8 @@ ChestWallResponse chest_wall_response(const std::vector<double> &times,
   return {wall.largest_velocity,
           wall.largest_displacement,
           lung_pressure(wall.largest_displacement, ambient_pressure) -
-            ambient_pressure};
+            ambient_pressure,
+          wall.is_fastest_now()};
 }
 
 

@@ -39,20 +39,22 @@ AirInjury air_injury(const PressurePulse &pulse,
 }
 
 
-double first_positive_phase(const std::vector<double> &times,
-                            const std::vector<double> &overpressures)
+PressurePulse first_pulse(const std::vector<double> &times,
+                          const std::vector<double> &overpressures)
 {
   const double peak = peak_of(overpressures);
   if (!(peak > 0.))
-    return 0.;
+    return {};
   const auto begin =
     std::find_if(overpressures.begin(), overpressures.end(), [&](double value) {
       return value >= arrived * peak;
     });
   const auto end = std::find_if(
     begin, overpressures.end() - 1, [](double value) { return value <= 0.; });
-  return times[end - overpressures.begin()] -
-         times[begin - overpressures.begin()];
+  return {peak,
+          times[end - overpressures.begin()] -
+            times[begin - overpressures.begin()],
+          *end > 0.};
 }
 
 
@@ -63,8 +65,10 @@ LoadInjury load_injury(const std::vector<double> &times,
 {
   LoadInjury injury;
   injury.pulse = pulse;
-  injury.chest_wall_velocity =
-    chest_wall_response(times, overpressures, sea_level_pressure).velocity;
+  const ChestWallResponse wall =
+    chest_wall_response(times, overpressures, sea_level_pressure);
+  injury.chest_wall_velocity = wall.velocity;
+  injury.is_velocity_cut = !(pulse.peak > 0.) || wall.is_cut;
   if (pulse.duration > 0.)
     injury.lung_exposure =
       pulse.peak / lung_median_lethal_overpressure(
@@ -79,9 +83,6 @@ LoadInjury load_injury(const std::vector<double> &times,
                        const double body_mass)
 {
   return load_injury(
-    times,
-    overpressures,
-    {peak_of(overpressures), first_positive_phase(times, overpressures)},
-    body_mass);
+    times, overpressures, first_pulse(times, overpressures), body_mass);
 }
 } // namespace contrecoup

@@ -140,11 +140,11 @@ std::vector<InjuryMeasure> head_motion_measures(const HeadMotion &motion,
 
 std::string to_csv(const std::vector<InjuryMeasure> &measures)
 {
-  std::string text = "measure,value,unit,threshold,limits\n";
+  std::string text = "measure,value,unit,threshold,limits,cut off [-]\n";
   for (const InjuryMeasure &measure : measures)
     text += measure.value.name + "," + exact(measure.value.value) + "," +
             measure.value.unit + ",\"" + measure.threshold + "\",\"" +
-            measure.limits + "\"\n";
+            measure.limits + "\"," + (measure.is_cut ? "1" : "0") + "\n";
   return text;
 }
 } // namespace contrecoup::solid

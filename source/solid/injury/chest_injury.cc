@@ -86,6 +86,7 @@ std::vector<InjuryMeasure> ChestInjury::measures() const
   std::vector<InjuryMeasure> list{
     known_measure("injury_chest_wall_velocity_mesh",
                   *inward > -round_off * *outward ? *inward : 0.)};
+  list.back().is_cut = *inward > 0. && *inward == wall_velocities_.back();
   if (reports_load_)
     add_load(list);
   return list;
@@ -96,13 +97,20 @@ void ChestInjury::add_load(std::vector<InjuryMeasure> &list) const
 {
   const LoadInjury injury = load_injury(times_, pressures_, mass_);
   const double velocity = injury.chest_wall_velocity;
-  list.push_back(
-    known_measure("injury_chest_pressure_peak", injury.pulse.peak));
-  list.push_back(known_measure("injury_chest_wall_velocity", velocity));
-  list.push_back(
-    known_measure("injury_adjusted_severity", thorax_injury_index(velocity)));
+  const auto add =
+    [&](const std::string &name, const double value, const bool is_cut) {
+      list.push_back(known_measure(name, value));
+      list.back().is_cut = is_cut;
+    };
+  add("injury_chest_pressure_peak",
+      injury.pulse.peak,
+      pressures_.back() >= injury.pulse.peak);
+  add("injury_chest_wall_velocity", velocity, injury.is_velocity_cut);
+  add("injury_adjusted_severity",
+      thorax_injury_index(velocity),
+      injury.is_velocity_cut);
   if (injury.pulse.duration > 0.)
-    list.push_back(known_measure("injury_lung_exposure", injury.lung_exposure));
+    add("injury_lung_exposure", injury.lung_exposure, injury.pulse.is_cut);
 }
 
 

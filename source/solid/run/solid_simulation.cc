@@ -383,8 +383,9 @@ void SolidSimulation<Real>::report_injury(const std::string &folder)
     return;
   const auto measures = injury_.measures(body_);
   for (const InjuryMeasure &measure : measures)
-    show_line("  " + measure.value.name + " = " + brief(measure.value.value) +
-              " " + measure.value.unit + " (" + measure.threshold + ")");
+    show_line("  " + measure.value.name + (measure.is_cut ? " >= " : " = ") +
+              brief(measure.value.value) + " " + measure.value.unit + " (" +
+              measure.threshold + ")");
   if (dealii::Utilities::MPI::this_mpi_process(communicator_) == 0)
     io::write_file(folder + "/injury.csv",
                    [&](std::ostream &out) { out << to_csv(measures); });

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -26,21 +27,75 @@ std::vector<std::vector<std::string>> rows_of(const std::string &table)
 } // namespace
 
 
-// Bowen's curves follow from the positive phase: of one that the end of the run
-// cuts off, the load of the lungs is a lower limit, the peak at an ear is not.
-TEST(GaugeTables, CallTheLoadOfACutPositivePhaseALowerLimit)
+namespace
 {
-  const std::vector<double> times{0., 1e-3, 2e-3}, wave{0., 2e5, 1e5};
-  for (const double duration : {0.5e-3, 1.5e-3})
+/// The mark of each measure and place by which it is a lower limit.
+std::map<std::string, bool> lower_limits(const std::string &table)
+{
+  std::map<std::string, bool> marks;
+  for (const auto &row : rows_of(table))
+    if (row[0] != "measure")
+      marks[row[0] + " " + row[1]] = row.back() == "1";
+  return marks;
+}
+
+
+/// A steady load of 0.1 MPa that arrives at @p begin and ends at @p end, of
+/// which samples are taken until 10 ms [s].
+GaugeBlast
+steady_load(const std::string &place, const double begin, const double end)
+{
+  GaugeBlast load{place, {1e5, 1e5 * (end - begin), begin, end - begin}, begin};
+  for (unsigned int i = 0; i <= 1000; ++i)
+    load.overpressures.push_back(1e-5 * i >= begin && 1e-5 * i < end ? 1e5
+                                                                     : 0.);
+  return load;
+}
+} // namespace
+
+
+// The chest wall, its mean, the exposure and the ear, each by what it follows
+// from: velocity, positive phase, peak.
+TEST(GaugeTables, CallWhatTheEndOfTheRunCutsOffALowerLimit)
+{
+  std::vector<double> times;
+  for (unsigned int i = 0; i <= 1000; ++i)
+    times.push_back(1e-5 * i);
+  GaugeBlast last = steady_load("back", 9e-3, 1e-2);
+  last.peak_time = 1e-2;
+  const GaugeBlast none{"back", {}, 0., std::vector<double>(1001, 0.)};
+  // A second wave moves the wall faster than the first.
+  GaugeBlast again = steady_load("back", 2e-3, 2.1e-3);
+  std::fill(again.overpressures.begin() + 950, again.overpressures.end(), 1e5);
+  for (const auto &[back, expected] :
+       {std::pair(steady_load("back", 2e-3, 4e-3), "0000"),
+        std::pair(steady_load("back", 2e-3, 1e-2), "0010"),
+        std::pair(last, "1111"),
+        std::pair(none, "1101"),
+        std::pair(again, "1100")})
   {
-    const BlastMeasures blast{2e5, 100., 0.5e-3, duration};
-    const std::string table = gauge_injury_table(
-      {{"chest", blast, 1e-3, wave}, {"left ear", blast, 1e-3, wave}},
-      times,
-      70.);
-    const std::size_t first = table.find("a lower limit");
-    EXPECT_EQ(first != std::string::npos, duration > 1e-3) << table;
-    EXPECT_EQ(table.find("a lower limit", first + 1), std::string::npos);
+    GaugeBlast ear = back;
+    ear.place = "left ear";
+    const std::string table =
+      gauge_injury_table({steady_load("chest", 1e-3, 3e-3),
+                          back,
+                          steady_load("left upper arm", 1e-3, 3e-3),
+                          ear},
+                         times,
+                         70.);
+    auto marks = lower_limits(table);
+    std::string found;
+    for (const char *const name : {"chest_wall_velocity back",
+                                   "chest_wall_velocity trunk",
+                                   "lung_exposure back",
+                                   "eardrum_rupture left ear"})
+      found += marks[name] ? "1" : "0";
+    EXPECT_EQ(found, expected) << table;
+    EXPECT_FALSE(marks.at("chest_wall_velocity chest"));
+    EXPECT_FALSE(marks.at("lung_exposure left upper arm"));
+    EXPECT_EQ(table.find("; a lower limit: the run ends too early") !=
+                std::string::npos,
+              found != "0000");
   }
 }
 
@@ -214,7 +269,8 @@ TEST(GaugeTables, TellWhatAWaveDoesToAPersonInTheAir)
                      false));
   const auto rows = rows_of(table);
   ASSERT_EQ(rows.size(), 4U);
-  EXPECT_EQ(join(rows[0], ","), "measure,place,value,unit,definition");
+  EXPECT_EQ(join(rows[0], ","),
+            "measure,place,value,unit,definition,cut off [-]");
   EXPECT_EQ(rows[1][0] + " " + rows[1][1], "lung_exposure probe 1");
   EXPECT_NEAR(std::stod(rows[1][2]), 310. / 941., 1e-3);
   EXPECT_EQ(rows[2][0] + " " + rows[2][1], "lung_lethality probe 1");
@@ -240,6 +296,12 @@ TEST(GaugeTables, TellWhatAWaveDoesToAPersonInTheAir)
     true));
   const auto all = rows_of(more);
   ASSERT_EQ(all.size(), 12U);
+  EXPECT_FALSE(lower_limits(more).at("chest_wall_velocity probe 1"));
+  exposure.chest.velocity = exposure.chest.largest_velocity;
+  EXPECT_TRUE(
+    lower_limits(
+      air_injury_table({{"probe 1", wave, 101325., exposure, 500.}}, 70., true))
+      .at("chest_wall_velocity probe 1"));
   EXPECT_EQ(all[4][0] + " " + all[4][1], "chest_wall_velocity probe 1");
   EXPECT_EQ(std::stod(all[4][2]), 6.);
   EXPECT_EQ(all[5][0] + " " + all[5][1], "first_phase_fraction probe 1");

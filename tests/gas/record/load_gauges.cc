@@ -271,7 +271,8 @@ TEST(LoadGauges, WriteWhatTheLoadsWouldDoToAPerson)
   const std::vector<std::vector<std::string>> injuries =
     read_rows("gauges_of_one/gauge_injury.csv");
   ASSERT_EQ(injuries.size(), 4U);
-  EXPECT_EQ(join(injuries[0], ","), "measure,place,value,unit,definition");
+  EXPECT_EQ(join(injuries[0], ","),
+            "measure,place,value,unit,definition,cut off [-]");
   EXPECT_EQ(injuries[1][0] + " " + injuries[1][1], "chest_wall_velocity chest");
   EXPECT_NEAR(std::stod(injuries[1][2]), 6.020, 0.02);
   EXPECT_EQ(injuries[2][0] + " " + injuries[2][1], "lung_exposure chest");

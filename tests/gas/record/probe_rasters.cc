@@ -212,7 +212,7 @@ TEST(ProbeRasters, InjuriesAreThoseOfTheHistory)
   {
     const io::VtkInput plane(folder + "/gauges_plane_1.vti");
     const double phase =
-      first_positive_phase(history.times, history.overpressures);
+      first_pulse(history.times, history.overpressures).duration;
     const LoadInjury whole =
       load_injury(history.times, history.overpressures, {peak, phase}, 70.);
     EXPECT_NEAR(uniform(plane, "eardrum_rupture"), whole.eardrum_rupture, 1e-9);

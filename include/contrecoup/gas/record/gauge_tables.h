@@ -52,8 +52,11 @@ std::string gauge_measures_table(const std::vector<GaugeBlast> &gauges,
  * vol. 3, 2011) with the gauges "device front", "device back", "device left"
  * and "device right" at half its height, the chest wall velocity that Axelsson
  * and Yelverton (1996) define, the mean of the four, and their index of injury;
- * half a device has one of its sides, which counts twice. Empty without such
- * gauges.
+ * half a device has one of its sides, which counts twice. The last column is 1
+ * where the value is a lower limit, as the run ends too early at one of the
+ * gauges that it is of: before the wave or its peak comes, before the positive
+ * phase of a lung exposure ends, or while a chest wall is at its fastest. Empty
+ * without such gauges.
  *
  * @param times of the samples, increasing [s]
  * @param body_mass [kg]

@@ -27,6 +27,13 @@ struct ChestWall
                const double last,
                const double duration,
                const double ambient_pressure);
+
+  /// Whether the largest velocity is that of now, a lower limit of what comes;
+  /// also before any load.
+  bool is_fastest_now() const
+  {
+    return velocity >= largest_velocity;
+  }
 };
 
 /// Largest motion and pressure of a chest under a blast.
@@ -35,6 +42,8 @@ struct ChestWallResponse
   double velocity = 0.;      ///< largest, inward [m/s]
   double displacement = 0.;  ///< largest, inward [m]
   double lung_pressure = 0.; ///< largest, above ambient [Pa]
+  /// Whether the history ends before the velocity falls.
+  bool is_cut = false;
 };
 
 /**

@@ -12,6 +12,9 @@ struct PressurePulse
 {
   double peak = 0.;     ///< peak overpressure [Pa]
   double duration = 0.; ///< duration of the positive phase [s]
+  /// Whether the positive phase goes on where the history ends: then what
+  /// follows from its duration is a lower limit.
+  bool is_cut = false;
 };
 
 /// Injuries that a load on the skin would cause.
@@ -21,6 +24,10 @@ struct LoadInjury
   double chest_wall_velocity = 0.; ///< largest inward velocity [m/s]
   double lung_exposure = 0.;       ///< peak over median lethal peak [-]
   double eardrum_rupture = 0.;     ///< probability [-]
+  /// Whether the velocity is a lower limit: the history ends before the load
+  /// arrives, or while the chest wall is at its fastest. The rest of a wave
+  /// that is cut off later does not move the wall faster.
+  bool is_velocity_cut = false;
 };
 
 /// What a wave does to a person who stands in the air that it passes.
@@ -47,15 +54,15 @@ AirInjury air_injury(const PressurePulse &pulse,
                      const double body_mass);
 
 /**
- * Duration of the first positive phase of an overpressure history [s]: from
- * reaching 5 % of its peak until its first return to zero, or until the end; 0
- * if it is never positive.
+ * Peak of an overpressure history and its first positive phase: from reaching
+ * 5 % of the peak until the first return to zero, or until the end; none if it
+ * is never positive.
  *
  * @param times increasing [s]
  * @param overpressures at these times [Pa]
  */
-double first_positive_phase(const std::vector<double> &times,
-                            const std::vector<double> &overpressures);
+PressurePulse first_pulse(const std::vector<double> &times,
+                          const std::vector<double> &overpressures);
 
 /**
  * Injuries of a man by a load at sea level, from chest_wall_response() of the
@@ -74,7 +81,7 @@ LoadInjury load_injury(const std::vector<double> &times,
                        const PressurePulse &pulse,
                        const double body_mass);
 
-/// The same for the peak and the first positive phase of the history.
+/// The same for the first_pulse() of the history.
 LoadInjury load_injury(const std::vector<double> &times,
                        const std::vector<double> &overpressures,
                        const double body_mass);

@@ -17,6 +17,7 @@ struct InjuryMeasure
   NamedValue value;
   std::string threshold; ///< including its source
   std::string limits;    ///< limits of its validity
+  bool is_cut = false;   ///< a lower limit: the run ends too early
 };
 
 /// A measure with what injury_criterion() knows of its name.
