@@ -32,6 +32,7 @@ SceneParameters small_scene()
   scene.tissues = "physiological";
   scene.mass = 1.;
   scene.end_time = 0.01;
+  scene.element_size = 0.01;
   scene.place = Point<3>(2., 0., 1.);
   return scene;
 }
@@ -144,6 +145,13 @@ TEST(SceneAudit, JudgesStrainAndMotionOfAnyBody)
   EXPECT_NEAR(item_of(audit({}), "gravity_of_body").value,
               9.81 * scene.end_time / 3.,
               1e-12);
+  // The box stands on the ground.
+  const Assumption ground = item_of(audit({}), "ground_of_body");
+  EXPECT_EQ(ground.value, layout.body.lower_bound(2));
+  EXPECT_EQ(ground.entry, "Biomechanics/Ground/Active");
+  const auto with_ground =
+    audit({parse_override("Biomechanics/Ground/Active=true")});
+  EXPECT_EQ(io::find_assumption(with_ground, "ground_of_body"), nullptr);
   // Where loads are the question nothing moves the body, which is said.
   SceneParameters of_loads = scene;
   of_loads.question = "loads";

@@ -1356,6 +1356,14 @@ class ReportTest(unittest.TestCase):
         self.expect(text_of(Made(folder).page), "Survives (", "no lung injury "
                     "(by the load alone, 0.120 of the median lethal one")
 
+    def test_ground_below_the_body(self):
+        """That biomechanics leaves it out may change the verdict."""
+        scene = types.SimpleNamespace(list_of=lambda _: [
+            {"item": "rigid_body"}])
+        self.assertEqual(headline._ground(scene), [])
+        scene.list_of = lambda _: [{"item": "ground_of_body"}]
+        self.assertIn("leaves out the ground", headline._ground(scene)[0])
+
     def test_brains_that_are_held_have_no_verdict(self):
         for value in (1., 0., None):
             stage = types.SimpleNamespace(found=lambda group, name: {

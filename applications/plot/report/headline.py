@@ -236,6 +236,7 @@ def _certainty(scene, judged):
     parts += _tables(scene, judged) + _verdicts(scene, judged)
     parts += _afterburn(scene) + _model_bias(scene)
     parts += _loads(scene) + EnergyAudit(scene).reservations() + _limits(scene)
+    parts += _ground(scene)
     parts += _unused_thresholds(scene, judged)
     if any(entry.name == "injury_strain_95" for entry in judged):
         parts.append(
@@ -446,6 +447,14 @@ def _loads(scene):
         return []
     return [f"The elements get {page.percent(mapped / recorded, 4)} of the "
             "impulse that was recorded on the skin."]
+
+
+def _ground(scene):
+    """The ground that biomechanics leaves out below a body on it."""
+    return ["Biomechanics leaves out the ground that the body is on: the body "
+            "may move into it (Biomechanics/Ground/Active)."] if any(
+                row.get("item") == "ground_of_body"
+                for row in scene.list_of("plan")) else []
 
 
 def _limits(scene):

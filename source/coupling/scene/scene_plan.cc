@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 
 namespace contrecoup::coupling
 {
@@ -83,6 +82,19 @@ namespace
             unknown,
             false,
             "Biomechanics/Gravity/Acceleration"};
+  }
+
+  /// Item about the ground below a body that stands, sits or lies on it.
+  Assumption ground_of_body(const SceneLayout &layout)
+  {
+    return {"ground_of_body",
+            "left out in biomechanics: the body may move into it",
+            "height of the lowest skin above the ground",
+            "m",
+            layout.body.lower_bound(2),
+            unknown,
+            false,
+            "Biomechanics/Ground/Active"};
   }
 
   Assumption symmetry(const SceneLayout &layout)
@@ -305,7 +317,7 @@ namespace
         item = lung(scene, largest_trunk_peak(folder + "/blast"));
       else if (item.name == "gravity_of_body")
         item.value = gravity * scene.end_time / motion.speed;
-      else
+      else if (item.name != "ground_of_body")
         continue;
       items.push_back(item);
     }
@@ -401,40 +413,6 @@ namespace
 } // namespace
 
 
-std::string ChosenSide::in_words(const SceneLayout &layout) const
-{
-  return kind + " at " + name.substr(0, 1) + " = " + brief(place(layout)) +
-         " m";
-}
-
-
-std::vector<ChosenSide> find_chosen_sides(const std::vector<Assignment> &wrote,
-                                          const SceneLayout &layout)
-{
-  std::map<std::string, ChosenSide> chosen; // the last assignment counts
-  for (const Assignment &assignment : wrote)
-    if (join(assignment.sections, "/") == "Blast/Boundaries")
-      for (unsigned int d = 0; d < 3; ++d)
-        for (const bool is_high : {false, true})
-        {
-          const std::string name =
-            std::string(1, "xyz"[d]) + (is_high ? " high" : " low");
-          if (assignment.entry == name)
-            chosen[name] = {name, trim(assignment.value), d, is_high};
-        }
-  std::vector<ChosenSide> sides;
-  for (const auto &[name, side] : chosen)
-  {
-    const std::string own = name == "z low"                     ? "wall"
-                            : name == "y low" && layout.is_half ? "symmetry"
-                                                                : "open";
-    if (side.kind != own && !(own == "symmetry" && side.kind == "wall"))
-      sides.push_back(side);
-  }
-  return sides;
-}
-
-
 std::vector<Assumption> scene_plan(const SceneParameters &scene,
                                    const SceneLayout &layout,
                                    const std::vector<Assignment> &wrote,
@@ -464,6 +442,10 @@ std::vector<Assumption> scene_plan(const SceneParameters &scene,
            wave.value(BlastQuantity::reflected_overpressure, layout.distance)));
   items.push_back(gravity_of_body(
     scene.end_time, speed, written(wrote, "Gravity", "Acceleration")));
+  const bool is_on_ground =
+    layout.has_ground() && layout.body.lower_bound(2) < scene.element_size;
+  if (is_on_ground && written(wrote, "Ground", "Active") != "true")
+    items.push_back(ground_of_body(layout));
   return items;
 }
 
