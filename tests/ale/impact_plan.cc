@@ -17,7 +17,8 @@ namespace
 {
 /// What is planned for a head of 80, 4 and 7 mm against a wall at 3 m/s, 5 ms.
 std::map<std::string, Assumption>
-plan_of(const std::vector<std::string> &overrides)
+plan_of(const std::vector<std::string> &overrides,
+        const bool is_checked = false)
 {
   ParameterHandler prm;
   TimeParameters::declare_parameters(prm);
@@ -50,6 +51,8 @@ plan_of(const std::vector<std::string> &overrides)
   apply_assignments(assignments, prm);
   AleSimulation simulation(MPI_COMM_WORLD);
   simulation.parse_parameters(prm);
+  if (is_checked)
+    simulation.estimate();
   std::map<std::string, Assumption> result;
   for (const Assumption &item : simulation.plan())
     result[item.name] = item;
@@ -96,6 +99,12 @@ TEST(ImpactPlan, weighs_the_scalp_that_is_left_out)
                      "Region scalp/Tissue=skin"})
               .count("scalp"),
             0u);
+}
+
+TEST(ImpactPlan, tells_of_a_head_without_a_brain)
+{
+  EXPECT_EQ(plan_of({}, true).count("brain"), 0u);
+  EXPECT_EQ(value_of(plan_of({"Injury/Brain="}, true), "brain"), 0.);
 }
 
 TEST(ImpactPlan, bounds_the_friction_that_is_left_out)

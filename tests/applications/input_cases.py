@@ -547,6 +547,24 @@ def thin_layers():
            "of at most 2.3 mm closes them")
 
 
+def without_brain():
+    """Bodies that get no measures of the brain."""
+    yield ("scene without a brain", "scene",
+           shipped(SCENE, entry("Scene/End time", "0.005"),
+                   entry("Body/Kind", "shape"),
+                   entry("Body/Shape/Shape", "box"),
+                   entry("Body/Shift", "0, 0, 1")),
+           "  the body has no brain: brain and head get no measures of injury")
+    yield ("bar without a brain", "biomechanics",
+           shipped(BAR, entry("Injury/Active", "true"),
+                   entry("Injury/Chest", "0, 0, 0"),
+                   entry("Mesh/Tissue", "lung")),
+           "none: brain and head get no measures of injury")
+    yield ("head without a brain", "head_impact",
+           shipped(HEAD, entry("Injury/Brain", "")),
+           "none: no region gets measures of its injury")
+
+
 def unused():
     """Entries that the other choices leave without effect."""
     not_used = " is set but not used: "
@@ -824,6 +842,7 @@ def main(programs, repository):
                               (unused, judge_acceptance),
                               (near_sides, judge_acceptance),
                               (thin_layers, judge_acceptance),
+                              (without_brain, judge_acceptance),
                               (own_meshes, judge_acceptance),
                               (warned_heads, judge_acceptance)]:
         of_application = {}

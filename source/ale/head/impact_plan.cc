@@ -202,6 +202,13 @@ std::vector<Assumption> ImpactPlan::plan() const
                      1.,
                      false,
                      "Mesh"});
+  if (!has_brain && (head || n_pieces > 0))
+    items.push_back(
+      for_information("brain",
+                      "none: no region gets measures of its injury",
+                      "regions that Injury/Brain names",
+                      0.,
+                      "Injury/Brain"));
   if (head && !head->has_scalp)
     items.push_back(
       for_information("scalp",

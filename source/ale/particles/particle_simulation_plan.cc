@@ -95,6 +95,7 @@ ImpactPlan ParticleSimulation::impact_plan() const
   plan.head = estimate_head(mesh_, regions_, planes_);
   plan.end_time = end_time_;
   plan.thresholds = head_.own_thresholds();
+  plan.has_brain = head_.has_brain();
   plan.velocity = regions_.fastest_velocity();
   plan.cell_size = scene_.cell_size();
   plan.computed_fraction = plan.cost = plan.least_cost =

@@ -17,6 +17,7 @@ ImpactPlan AleSimulation::impact_plan() const
   plan.head = estimate_head(mesh_description_, regions_, planes_);
   plan.end_time = end_time_;
   plan.thresholds = head_.own_thresholds();
+  plan.has_brain = head_.has_brain();
   plan.velocity = regions_.fastest_velocity();
   plan.cell_size = mesh_description_.cell_size();
   plan.computed_fraction = mesh_description_.computed_fraction();

@@ -78,6 +78,9 @@ void PlannedScene::find_remarks(dealii::ParameterHandler &prm)
   remarks_ = body_->remarks();
   if (!parameters_.wants_injury())
     return;
+  if (!has(Tissue::brain))
+    remarks_.emplace_back(
+      "the body has no brain: brain and head get no measures of injury");
   SceneParameters usual = parameters_;
   usual.element_size = 0.;
   usual.fit_elements(layout_->unturned);

@@ -7,6 +7,7 @@
 #include <contrecoup/solid/motion/element_rotation.h>
 #include <contrecoup/solid/run/solid_simulation.h>
 
+#include <algorithm>
 #include <limits>
 #include <sstream>
 
@@ -104,6 +105,17 @@ std::vector<Assumption> SolidSimulation<Real>::plan()
                      std::numeric_limits<double>::quiet_NaN(),
                      false,
                      "Materials/Tissue " + name_of(tissue)});
+  const std::vector<Tissue> &tissues = body_.mesh().tissues;
+  if (injury_.active() && !tissues.empty() &&
+      std::find(tissues.begin(), tissues.end(), Tissue::brain) == tissues.end())
+    items.push_back({"brain",
+                     "none: brain and head get no measures of injury",
+                     "elements of brain",
+                     "-",
+                     0.,
+                     std::numeric_limits<double>::quiet_NaN(),
+                     false,
+                     "Injury/Active"});
   for (const Assumption &item : injury_.own_thresholds().assumptions())
     items.push_back(item);
   return items;

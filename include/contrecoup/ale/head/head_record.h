@@ -51,6 +51,11 @@ public:
     return brain_ != none || skull_ != none;
   }
 
+  bool has_brain() const
+  {
+    return brain_ != none;
+  }
+
   /// Thresholds that are not the published ones.
   const OwnThresholds &own_thresholds() const
   {

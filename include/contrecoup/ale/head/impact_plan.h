@@ -24,6 +24,7 @@ namespace contrecoup::ale
  *                     at the end time, over the cell size
  *   friction          frictional work of planes over kinetic energy; of planes
  *                     without friction, for a coefficient of 0.3
+ *   brain             of a head without one: regions that are it
  *   scalp             mass of 5 mm of scalp over that of a head without scalp
  *   symmetry          cost that symmetry planes or a wedge save
  *   asymmetry         walls that are inclined to symmetry planes, beyond which
@@ -53,6 +54,7 @@ struct ImpactPlan
   unsigned int n_pieces = 0;
   double scaled_jacobian = 1.; ///< the smallest
   bool has_body_force = false;
+  bool has_brain = true;
   std::string coupling; ///< partitioned scheme; empty: monolithic
   OwnThresholds thresholds;
 
