@@ -74,6 +74,17 @@ namespace
                                   : trim((unit == "-" ? "" : unit) + " s");
   }
 
+  /// Gives numbers the units that "units" of the same file has by their names.
+  void give_units(const nlohmann::json &units, nlohmann::json &node)
+  {
+    for (auto item = node.begin(); item != node.end(); ++item)
+      if (item->is_object())
+        give_units(units, *item);
+      else if (units.contains(item.key()) &&
+               (item->is_number() || item->is_null()))
+        *item = {{"value", *item}, {"unit", units[item.key()]}};
+  }
+
   std::string unit_in(const nlohmann::json &object)
   {
     return object.is_object() && object.contains("unit") &&
@@ -164,7 +175,12 @@ void RunOutputs::add_files(const std::string &folder,
       std::ifstream input(path);
       nlohmann::json content = nlohmann::json::parse(input, nullptr, false);
       if (content.is_object())
+      {
         content.erase("format");
+        const nlohmann::json units = content.value("units", nlohmann::json());
+        if (units.is_object())
+          give_units(units, content);
+      }
       add_object(
         content, file == summary_file ? subfolder : name + ":", "", "");
     }

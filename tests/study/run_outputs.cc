@@ -41,7 +41,10 @@ protected:
   void SetUp() override
   {
     write("manifest.json", R"({"status": "finished"})");
-    write("scene.json", R"({"distance": 2.5, "title": "x", "stages": [
+    write("scene.json", R"({"distance": 2.5, "title": "x", "ranks": 2,
+      "tables": {"answer": {"arrival": 2e-3, "lethality": 0.1, "angle": null}},
+      "units": {"distance": "m", "arrival": "s", "angle": "degrees"},
+      "stages": [
       {"name": "blast", "folder": "blast", "wall_seconds": 3,
        "core_seconds": 5, "peak_memory": 100},
       {"name": "biomechanics", "folder": "biomechanics", "wall_seconds": 4,
@@ -103,7 +106,10 @@ TEST_F(SceneFolder, HasOutputsOfAllStagesAndFiles)
 {
   const RunOutputs outputs(folder_.path());
   const std::vector<std::tuple<std::string, double, std::string>> expected = {
-    {"scene.json:distance", 2.5, ""},
+    {"scene.json:distance", 2.5, "m"},
+    {"scene.json:ranks", 2., ""},
+    {"scene.json:tables.answer.arrival", 2e-3, "s"},
+    {"scene.json:tables.answer.lethality", 0.1, ""},
     {"blast/results.peak", 3.5, "Pa"},
     {"blast/assumptions.air.at_most", 1., ""},
     {"blast/gauges.csv:exposure trunk:value", 0.5, ""},

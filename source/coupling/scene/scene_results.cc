@@ -239,6 +239,28 @@ namespace
   }
 
 
+  /// Units of the numbers of scene.json by their names; others have none.
+  const io::Json units = {{"charge_mass", "kg"},
+                          {"distance", "m"},
+                          {"distance_along_x", "m"},
+                          {"height", "m"},
+                          {"end_time", "s"},
+                          {"cell_size_at_body", "m"},
+                          {"element_size", "m"},
+                          {"length", "m"},
+                          {"mass", "kg"},
+                          {"charge_azimuth", "degrees"},
+                          {"charge_elevation", "degrees"},
+                          {"body_mass", "kg"},
+                          {"arrival", "s"},
+                          {"impulse", "Pa s"},
+                          {"duration", "s"},
+                          {"overpressure", "Pa"},
+                          {"brain_cover", "m"},
+                          {"lung_cover", "m"},
+                          {"cover_at_least", "m"}};
+
+
   /// Plan of the scene and of its blast.
   std::vector<Assumption> whole_plan(const PlannedScene &scene,
                                      const std::string &folder)
@@ -329,7 +351,8 @@ void write_scene(const PlannedScene &scene,
        scene.parameters(), layout, person_mass, command.output_folder))},
     {"changes", change_rows(scene.parameters().changes)},
     {"warnings", warnings},
-    {"remarks", scene.remarks()}};
+    {"remarks", scene.remarks()},
+    {"units", units}};
   const auto fit = organ_fit_figures(scene.body());
   if (!fit.empty())
     json["organ_fit"] = fit;
