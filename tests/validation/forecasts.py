@@ -122,6 +122,12 @@ CASES = (
     Case("scene_coarser", "scene", "scene/verification/head.prm", cheap=False),
     Case("scene_man", "scene", "scene/quickstart.prm",
          ("Scene/Accuracy=first look",), "", cheap=False),
+    # A blast in 1-D, 2-D and 3-D.
+    Case("scene_low_charge", "scene", "scene/quickstart.prm",
+         ("Scene/Accuracy=first look", "Scene/Question=loads",
+          "Scene/Error estimate=false", "Scene/End time=0.008",
+          "Charge/Explosive=tnt", "Charge/Mass=0.5", "Charge/Distance=1.5",
+          "Charge/Height=0.07"), "", cheap=False),
 )
 
 

@@ -2,19 +2,18 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/parameters/parameter_tree.h>
-#include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/log.h>
 #include <contrecoup/base/system/memory.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/io/application/cost_forecast.h>
 #include <contrecoup/io/application/cost_laws.h>
+#include <contrecoup/io/application/trial_limits.h>
 #include <contrecoup/io/run/cost_cache.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
-#include <sstream>
 
 namespace contrecoup
 {
@@ -22,9 +21,6 @@ namespace io
 {
   namespace
   {
-    const char *const levels_variable = "CONTRECOUP_CHECK_LEVELS";
-    /// Largest number of coarsenings of a trial.
-    constexpr unsigned int most_levels = 10;
     /// Limits for the trials of long runs: fraction of the run's processor
     /// time, and number of budgets.
     constexpr double long_run_part = 0.01, most_budgets = 5.;
@@ -237,6 +233,20 @@ namespace io
       return steps;
     }
 
+    /// Whether a trial that its time limit stopped tells what it missed: it
+    /// came to its last stage and, if the mesh @p adapts, to the time at which
+    /// that of the trial before it was largest.
+    bool tells_end(const Trial &trial,
+                   const std::vector<Trial> &before,
+                   const bool adapts)
+    {
+      if (trial.lacks_stage || trial.part < Trial::least_part)
+        return false;
+      return !adapts || (!before.empty() &&
+                         before.back().stages.size() == trial.stages.size() &&
+                         before.back().time_of_largest <= trial.time);
+    }
+
     /// Whether trials before the last one predict its steps; one level that is
     /// left is believed without.
     bool knows_steps(const std::vector<Trial> &trials,
@@ -297,21 +307,8 @@ namespace io
       return "  cells " + brief(std::pow(2., trial.levels)) +
              " times as large: " + join(stages, ", ") + "; " +
              duration(trial.seconds) + ", " + bytes(trial.output_bytes()) +
-             (trial.lacks_stage ? ", stopped before its last stage" : "");
-    }
-
-    /// Levels by which the first trial must be coarser to cost next to
-    /// nothing, plus two, because the solver's estimate may be too low.
-    unsigned int first_levels(const CostEstimate &rough, const double budget)
-    {
-      unsigned int levels = 0;
-      double seconds = rough.seconds;
-      while (seconds > 0.005 * budget && levels < most_levels)
-      {
-        seconds /= 8.;
-        ++levels;
-      }
-      return levels > 0 ? std::min(levels + 2, most_levels) : 0;
+             (trial.is_stopped() ? ", stopped" : "") +
+             (trial.lacks_stage ? " before its last stage" : "");
     }
 
     /// What is known of the cost without trials: not the steps of a gas, whose
@@ -330,33 +327,6 @@ namespace io
       if (description.adapts(prm))
         cost.cells = cost.unknowns = cost.memory = 0.;
       return cost;
-    }
-
-    /// Processor time for the trials of --check [s].
-    double trial_seconds()
-    {
-      const char *text = std::getenv("CONTRECOUP_CHECK_SECONDS");
-      return text ? std::strtod(text, nullptr) : 4.;
-    }
-
-    /// Levels of the first and the last trial from the environment variable
-    /// CONTRECOUP_CHECK_LEVELS = "first last". Counted quantities are then the
-    /// same on every machine.
-    std::optional<std::pair<int, int>> trial_levels()
-    {
-      const char *text = std::getenv(levels_variable);
-      if (text == nullptr)
-        return std::nullopt;
-      std::istringstream stream(text);
-      std::pair<int, int> levels;
-      if (!(stream >> levels.first >> levels.second) || levels.second < 0 ||
-          levels.first < levels.second ||
-          levels.first > static_cast<int>(most_levels))
-        throw InputError(std::string(levels_variable) + " = \"" +
-                         std::string(text) +
-                         "\": two levels are needed, the first from " +
-                         std::to_string(most_levels) + " to the last, 0");
-      return levels;
     }
 
     /// What a trial would take that is one level finer than the last [s].
@@ -378,6 +348,37 @@ namespace io
       }
       return steady + changing * std::clamp(growth, 2., most);
     }
+
+    /// Takes the output from trials that came to their end, as a stopped one
+    /// lacks fields and pictures, and adds the drawing.
+    void complete_output(const ApplicationDescription &description,
+                         const dealii::ParameterHandler &prm,
+                         std::vector<Trial> trials,
+                         const double known,
+                         const bool adapts,
+                         Collective &collective,
+                         CostEstimate &cost)
+    {
+      if (trials.back().is_stopped())
+      {
+        trials.pop_back();
+        if (adapts && cost.output > 0.)
+          cost.output = knows_cells(trials)
+                          ? extrapolate(trials, known, adapts, prm).output
+                          : 0.;
+      }
+      if (description.pictures.empty() || !prm.get_bool({"Output"}, "Pictures"))
+        return;
+      if (trials.empty())
+      {
+        cost.output = 0.;
+        return;
+      }
+      const auto [seconds, size] =
+        try_drawing(description, trials.back(), collective);
+      cost.seconds += cost.seconds > 0. ? seconds : 0.;
+      cost.output += cost.output > 0. ? size : 0.;
+    }
   } // namespace
 
   CostEstimate forecast_cost(const ApplicationDescription &description,
@@ -392,7 +393,7 @@ namespace io
     const bool adapts = description.adapts && description.adapts(prm);
     const auto set = trial_levels();
     const auto [begin, end] = set.value_or(std::pair<int, int>(
-      description.coarsen ? first_levels(rough, budget) : 0, 0));
+      description.coarsen ? first_trial_levels(rough, budget) : 0, 0));
     for (int levels = begin; levels >= end; --levels)
     {
       // Extrapolation needs at least two trials, the last with refined cells
@@ -412,8 +413,11 @@ namespace io
       if (!trial)
         continue;
       log_line(description_of(*trial));
-      if (trial->lacks_stage)
-        break; // finer ones would not come to it either
+      if (trial->is_stopped() && !tells_end(*trial, trials, adapts))
+        break; // finer ones would not come as far either
+      // A finer one may come to the last stage before the end.
+      if (trial->lacks_stage && levels > 0)
+        continue;
       trials.push_back(*trial);
       result = extrapolate(trials, rough.cells, adapts, prm);
       spent += trial->seconds;
@@ -425,13 +429,8 @@ namespace io
     if (rough.unknowns > 0. && !adapts)
       result.unknowns = std::round(rough.unknowns * result.cells / rough.cells);
     leave_out_unknown(result, trials, adapts, prm);
-    if (!description.pictures.empty() && prm.get_bool({"Output"}, "Pictures"))
-    {
-      const auto [seconds, size] =
-        try_drawing(description, trials.back(), collective);
-      result.seconds += result.seconds > 0. ? seconds : 0.;
-      result.output += result.output > 0. ? size : 0.;
-    }
+    complete_output(
+      description, prm, trials, rough.cells, adapts, collective, result);
     return result;
   }
 
@@ -445,7 +444,7 @@ namespace io
     if (!(budget > 0.))
       return without_trials(description, prm, rough, collective);
     const MPI_Comm all = collective.communicator();
-    const char *levels = std::getenv(levels_variable);
+    const char *levels = std::getenv(trial_levels_variable);
     const CostCache cache(
       description.name + " on " +
       std::to_string(dealii::Utilities::MPI::n_mpi_processes(all)) +

@@ -77,12 +77,14 @@ namespace io
         const unsigned int dimension = inner_.dimension();
         if (trial_.stages.empty() ||
             trial_.stages.back().dimension != dimension)
-          trial_.stages.push_back({dimension});
+          trial_.stages.push_back({dimension, inner_.time()});
         const StepReport report = inner_.advance(largest_step);
         TrialStage &stage = trial_.stages.back();
         stage.steps += 1.;
         const double cells = note_size();
         stage.cell_steps += cells;
+        if (cells > stage.largest_cells)
+          trial_.time_of_largest = inner_.time();
         stage.largest_cells = std::max(stage.largest_cells, cells);
         stage.seconds += lap();
         return report;
@@ -199,13 +201,10 @@ namespace io
 
     /// Counts what a trial wrote.
     /// @param more number of field outputs of the run per one of the trial
-    /// @param part completed fraction of time
-    void count_bytes(const std::string &folder,
-                     const double more,
-                     const double part,
-                     Trial &trial)
+    void count_bytes(const std::string &folder, const double more, Trial &trial)
     {
       namespace fs = std::filesystem;
+      const double all = 1. / std::max(trial.part, Trial::least_part);
       std::error_code ignored;
       for (const auto &entry :
            fs::recursive_directory_iterator(folder, ignored))
@@ -217,20 +216,18 @@ namespace io
           continue;
         const bool is_once =
           kind == &Trial::other_bytes || kind == &Trial::checkpoint_bytes;
-        const double factor = file.rfind("fields", 0) == 0 ? more / part
+        const double factor = file.rfind("fields", 0) == 0 ? more * all
                               : is_once                    ? 1.
-                                                           : 1. / part;
+                                                           : all;
         trial.*kind += factor * static_cast<double>(entry.file_size(ignored));
       }
     }
 
     /// Combines measurements of all ranks, and extrapolates the missing
     /// simulated time and the omitted field outputs.
-    void complete(Trial &trial,
-                  const double part,
-                  const double outputs,
-                  const MPI_Comm all)
+    void complete(Trial &trial, const double outputs, const MPI_Comm all)
     {
+      const double part = std::max(trial.part, Trial::least_part);
       for (TrialStage &stage : trial.stages)
         stage.seconds = dealii::Utilities::MPI::max(stage.seconds, all);
       for (double *seconds : {&trial.setup_seconds, &trial.output_seconds})
@@ -313,15 +310,14 @@ namespace io
       return log_part * static_cast<double>(text.size());
     }
 
-    /// Runs @p simulation in @p folder; returns the completed fraction of
-    /// time.
-    double run_in(const std::string &folder,
-                  const ApplicationDescription &description,
-                  dealii::ParameterHandler &prm,
-                  Simulation &simulation,
-                  Trial &trial,
-                  const double longest,
-                  Collective &collective)
+    /// Runs @p simulation in @p folder.
+    void run_in(const std::string &folder,
+                const ApplicationDescription &description,
+                dealii::ParameterHandler &prm,
+                Simulation &simulation,
+                Trial &trial,
+                const double longest,
+                Collective &collective)
     {
       const CostEstimate rough = simulation.estimate();
       trial.memory_per_cell = rough.memory / std::max(1., rough.cells);
@@ -370,13 +366,14 @@ namespace io
       {
         if (!measured.is_too_long())
           throw;
-        trial.lacks_stage = simulation.expected_hand_over().has_value();
+        const double first =
+          trial.stages.empty() ? begin : trial.stages.back().begin;
+        trial.part = (measured.time() - first) / (time.end_time - first);
         output.flush();
         save_results(folder, state, simulation, output, collective);
       }
-      return measured.is_too_long()
-               ? (measured.time() - begin) / (time.end_time - begin)
-               : 1.;
+      trial.time = measured.time();
+      trial.lacks_stage = simulation.expected_hand_over().has_value();
     }
 
     /// Sets up the scene with 2^@p levels times larger cells in @p coarse.
@@ -432,7 +429,7 @@ namespace io
     const Silence silence;
     Trial trial;
     trial.levels = levels;
-    double part = 0., outputs = 1.;
+    double outputs = 1.;
     forget_peak_memory();
     try
     {
@@ -451,8 +448,7 @@ namespace io
         // The run loop needs its own Collective for errors, besides that of
         // setup.
         Collective inner(all);
-        part =
-          run_in(path, description, coarse, *simulation, trial, longest, inner);
+        run_in(path, description, coarse, *simulation, trial, longest, inner);
       });
     }
     catch (const Stopped &)
@@ -463,11 +459,9 @@ namespace io
     {
       return std::nullopt;
     }
-    if (part < 0.02)
-      return std::nullopt;
     if (trial.folder)
-      count_bytes(trial.folder->path(), outputs, part, trial);
-    complete(trial, part, outputs, all);
+      count_bytes(trial.folder->path(), outputs, trial);
+    complete(trial, outputs, all);
     return trial;
   }
 

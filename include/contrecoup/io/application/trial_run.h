@@ -19,6 +19,7 @@ namespace io
   struct TrialStage
   {
     unsigned int dimension = 0;
+    double begin = 0.;         ///< simulated time at its first step [s]
     double steps = 0.;         ///< number of steps
     double cell_steps = 0.;    ///< sum of the number of cells over all steps
     double largest_cells = 0.; ///< largest number of cells
@@ -45,10 +46,23 @@ namespace io
     double peak_memory = 0.;     ///< of all ranks [byte]
     double seconds = 0.;         ///< processor time of the trial itself [s]
     double field_seconds = 0.;   ///< part of `seconds` for fields [s]
-    /// Whether it was stopped before a stage of which nothing is known.
+    double time = 0.;            ///< to which it came, simulated [s]
+    double time_of_largest = 0.; ///< simulated, of the most cells [s]
+    /// Completed part of the simulated time of its last stage, less than one
+    /// if its time limit stopped it.
+    double part = 1.;
+    /// Whether it ended or was stopped in a first stage.
     bool lacks_stage = false;
     /// Holds what the trial wrote, on the first rank only.
     std::shared_ptr<TemporaryFolder> folder;
+
+    /// Least part from which what is missing is extrapolated.
+    static constexpr double least_part = 0.02;
+
+    bool is_stopped() const
+    {
+      return part < 1.;
+    }
 
     double output_bytes() const
     {
@@ -60,11 +74,11 @@ namespace io
   /**
    * Runs a scene with 2^@p levels times larger cells to its end, silently,
    * with its output in a temporary folder. If the trial is
-   * stopped after @p longest seconds of wall time, its cost is extrapolated in
-   * proportion to simulated time. Collective.
+   * stopped after @p longest seconds of processor time, its cost is
+   * extrapolated in proportion to the simulated time of its last stage.
+   * Collective.
    * @param prm all entries of the scene
-   * @return nothing if the scene cannot be that coarse, if the trial failed,
-   * or if it was stopped before 2 % of its simulated time
+   * @return nothing if the scene cannot be that coarse, or if the trial failed
    */
   std::optional<Trial> try_run(const ApplicationDescription &description,
                                const dealii::ParameterHandler &prm,
