@@ -80,8 +80,9 @@ std::string warning_for(const SceneParameters &scene,
   write_blast(folder.path() + "/blast", *tables, fine, is_cut);
   if (coarse > 0.)
     write_blast(folder.path() + "/coarser_blast", *tables, coarse);
-  return warning_of(compare_with_tables(scene, layout, 70., folder.path()),
-                    scene.explosive);
+  return warning_of(
+    compare_with_tables(scene, layout, 70., folder.path(), coarse > 0.),
+    scene.explosive);
 }
 } // namespace
 
@@ -138,15 +139,17 @@ TEST(TableComparison, HasErrorsOfAtLeastTwoPerCentAndThoseOfThePeak)
   const auto tables = table_answer(tnt, layout, 70.);
   const io::TemporaryFolder folder;
   write_blast(folder.path() + "/blast", *tables, 0.9);
-  const auto errors = [&]() {
+  const auto errors = [&](const bool has_coarser_run = true) {
     std::map<std::string, double> found;
     for (const ComparedQuantity &one :
-         compare_with_tables(tnt, layout, 70., folder.path()))
+         compare_with_tables(tnt, layout, 70., folder.path(), has_coarser_run))
       found[one.name] = one.run_error;
     return found;
   };
   EXPECT_TRUE(std::isnan(errors().at("peak_overpressure")));
   write_blast(folder.path() + "/coarser_blast", *tables, 0.9);
+  // That of another scene, or one that was stopped, tells nothing.
+  EXPECT_TRUE(std::isnan(errors(false).at("peak_overpressure")));
   EXPECT_EQ(errors().at("impulse"), 0.02);
   EXPECT_TRUE(std::isnan(errors().at("lung_lethality")));
   // Of the coarser run the peak alone is another one.
@@ -173,7 +176,7 @@ TEST(TableComparison, DoesNotExceedErrorsThatAreUnknown)
     write_blast(folder.path() + "/coarser_blast", *tables, coarse);
     std::filesystem::remove(folder.path() + "/coarser_blast/probe_injury.csv");
     for (const ComparedQuantity &one :
-         compare_with_tables(tnt, layout, 70., folder.path()))
+         compare_with_tables(tnt, layout, 70., folder.path(), true))
       if (one.name == "lung_exposure")
         return one;
     return ComparedQuantity();
@@ -201,7 +204,7 @@ TEST(TableComparison, DoesNotTellProbabilitiesApartThatReadTheSame)
       << 0.6 * tables->in_the_open.lung_exposure
       << ",-,\"\"\nlung_lethality,probe 1," << probability << ",-,\"\"\n";
     for (const ComparedQuantity &one :
-         compare_with_tables(tnt, layout, 70., folder.path()))
+         compare_with_tables(tnt, layout, 70., folder.path(), true))
       if (one.name == "lung_exposure")
       {
         EXPECT_TRUE(one.differs);
@@ -231,8 +234,9 @@ TEST(TableComparison, LeavesToTheGroundWhatItMayAdd)
   {
     const io::TemporaryFolder folder;
     write_blast(folder.path() + "/blast", *tables, peak, false, 0.6);
-    const std::string warning = warning_of(
-      compare_with_tables(scene, layout, 70., folder.path()), scene.explosive);
+    const std::string warning =
+      warning_of(compare_with_tables(scene, layout, 70., folder.path(), false),
+                 scene.explosive);
     EXPECT_EQ(warning.find("duration ") != std::string::npos, peak < 1.)
       << warning;
   }
@@ -252,5 +256,6 @@ TEST(TableComparison, IsEmptyWithoutAProbe)
   const SceneParameters scene = scene_of("tnt", 1.);
   const io::TemporaryFolder folder;
   EXPECT_TRUE(
-    compare_with_tables(scene, layout_of(scene), 70., folder.path()).empty());
+    compare_with_tables(scene, layout_of(scene), 70., folder.path(), false)
+      .empty());
 }

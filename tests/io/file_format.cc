@@ -126,10 +126,17 @@ TEST(FileFormat, ANewerForecastIsRefused)
   const TemporaryFolder folder;
   const std::string file = folder.path() + "/check.json";
   setenv("CONTRECOUP_CHECK_FILE", file.c_str(), 1);
-  write_check_file({"blast", CostEstimate(), {}});
+  CostEstimate cost;
+  cost.steps = 7.;
+  write_check_file({"blast", cost, {}, {{"coarse", cost}}});
   unsetenv("CONTRECOUP_CHECK_FILE");
   EXPECT_EQ(read_check_file(file).application, "blast");
+  EXPECT_EQ(read_check_file(file).cost.steps, 7.);
+  EXPECT_EQ(read_check_file(file).cost.cells, 0.);
   auto content = read_json(file, formats::forecast);
+  // What is unknown is no number for other programs.
+  for (const Json &row : {content, content["stages"][0]})
+    EXPECT_TRUE(row["steps"] == 7. && row["cells"].is_null()) << row;
   content["format"] = formats::forecast.number + 1;
   write(file, content);
   EXPECT_EQ(refusal([&]() { read_check_file(file); }),

@@ -84,7 +84,7 @@ def factor(scene, name):
     cells = ratios.get("cell_ratio", 2.)
     if name.startswith(("ear_", "chest_", "lung_")):
         return 1. / (cells ** ORDER - 1.), "cells"
-    ratio = min(cells, ratios.get("element_ratio", cells))
+    ratio = min(cells, ratios.get("element_ratio") or cells)
     return 1. / (ratio ** ORDER - 1.), "cells and elements"
 
 

@@ -91,6 +91,13 @@ namespace
   }
 
 
+  /// What a stage took; null if it has not run.
+  io::Json cost(const double value)
+  {
+    return value > 0. ? io::Json(value) : io::Json();
+  }
+
+
   io::Json task_rows(const std::vector<SceneTask> &tasks,
                      const std::vector<std::string> &reused)
   {
@@ -103,14 +110,36 @@ namespace
       rows.push_back({{"name", task.name()},
                       {"status", is_reused ? "reused" : record.status},
                       {"folder", task.name()},
-                      {"wall_seconds", record.wall_seconds},
-                      {"core_seconds", record.core_seconds},
-                      {"peak_memory", record.peak_memory},
-                      {"disk", record.disk},
+                      {"wall_seconds", cost(record.wall_seconds)},
+                      {"core_seconds", cost(record.core_seconds)},
+                      {"peak_memory", cost(record.peak_memory)},
+                      {"disk", cost(record.disk)},
                       {"warnings", warnings_of(task)},
                       {"hash", record.key}});
     }
     return rows;
+  }
+
+
+  bool is_finished(const std::vector<SceneTask> &tasks, const std::string &name)
+  {
+    return std::any_of(tasks.begin(), tasks.end(), [&](const SceneTask &task) {
+      return task.name() == name && task.is_finished();
+    });
+  }
+
+
+  /// Sizes of cells and elements of the coarser run over those of the scene;
+  /// null where it was not made.
+  io::Json coarser_run_of(const std::vector<SceneTask> &tasks)
+  {
+    if (!is_finished(tasks, "coarser_blast"))
+      return nullptr;
+    io::Json json = {{"cell_ratio", CoarserRun::cell_ratio},
+                     {"element_ratio", nullptr}};
+    if (is_finished(tasks, "coarser_biomechanics"))
+      json["element_ratio"] = CoarserRun::element_ratio;
+    return json;
   }
 
 
@@ -261,6 +290,20 @@ namespace
                           {"cover_at_least", "m"}};
 
 
+  /// Compares the blast with the tables. A coarser run that the scene has not
+  /// made may be left from an earlier one.
+  std::vector<ComparedQuantity> compared(const PlannedScene &scene,
+                                         const std::vector<SceneTask> &tasks,
+                                         const std::string &folder)
+  {
+    return compare_with_tables(scene.parameters(),
+                               scene.layout(),
+                               scene.person_mass(),
+                               folder,
+                               is_finished(tasks, "coarser_blast"));
+  }
+
+
   /// Plan of the scene and of its blast.
   std::vector<Assumption> whole_plan(const PlannedScene &scene,
                                      const std::string &folder)
@@ -286,10 +329,8 @@ void print_audit(const PlannedScene &scene,
   // The report, whose first lines the terminal shows, says it by itself.
   if (scene.parameters().draws_report)
     return;
-  const std::string warning = warning_of(
-    compare_with_tables(
-      scene.parameters(), scene.layout(), scene.person_mass(), folder),
-    scene.parameters().explosive);
+  const std::string warning =
+    warning_of(compared(scene, tasks, folder), scene.parameters().explosive);
   if (!warning.empty())
     log_line(warning);
 }
@@ -308,7 +349,6 @@ void write_scene(const PlannedScene &scene,
     named(scene_audit(
             scene.parameters(), layout, scene.plan(), command.output_folder),
           tasks);
-  const double person_mass = scene.person_mass();
   io::Json json = {
     {"application", "scene"},
     {"format", io::formats::scene.number},
@@ -336,10 +376,7 @@ void write_scene(const PlannedScene &scene,
     {"cell_size_at_body", layout.cell_size()},
     {"element_size", scene.parameters().element_size},
     {"tissue_places", place_rows(scene.tissue_places())},
-    {"coarser_run",
-     {{"cell_ratio", CoarserRun::cell_ratio},
-      {"element_ratio",
-       scene.body().own_mesh() ? 1. : CoarserRun::element_ratio}}},
+    {"coarser_run", coarser_run_of(tasks)},
     {"command", io::repeating_command(command, n_ranks)},
     {"ranks", n_ranks},
     {"stages", task_rows(tasks, reused)},
@@ -347,8 +384,7 @@ void write_scene(const PlannedScene &scene,
     {"audit", audit_rows(plan, audit)},
     {"tables", tables_of(scene)},
     {"table_comparison",
-     comparison_rows(compare_with_tables(
-       scene.parameters(), layout, person_mass, command.output_folder))},
+     comparison_rows(compared(scene, tasks, command.output_folder))},
     {"changes", change_rows(scene.parameters().changes)},
     {"warnings", warnings},
     {"remarks", scene.remarks()},

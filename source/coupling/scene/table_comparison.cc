@@ -92,6 +92,14 @@ namespace
   }
 
 
+  /// A quantity at the first probe; NaN: none.
+  double value_of(const std::string &folder, const std::string &name)
+  {
+    return is_of_injury(name) ? injury_of(folder, name)
+                              : result_of(folder, "probe_1_" + name);
+  }
+
+
   bool differs(const std::vector<ComparedQuantity> &list,
                const std::string &name)
   {
@@ -154,7 +162,8 @@ namespace
 std::vector<ComparedQuantity> compare_with_tables(const SceneParameters &scene,
                                                   const SceneLayout &layout,
                                                   const double body_mass,
-                                                  const std::string &folder)
+                                                  const std::string &folder,
+                                                  const bool has_coarser_run)
 {
   const auto answer = table_answer(scene, layout, body_mass);
   const std::string fine = folder + "/blast",
@@ -173,14 +182,11 @@ std::vector<ComparedQuantity> compare_with_tables(const SceneParameters &scene,
                        const double tables,
                        const bool may_exceed,
                        const bool may_be_less = false) {
-    const auto of = [&](const std::string &run) {
-      return is_of_injury(name) ? injury_of(run, name)
-                                : result_of(run, "probe_1_" + name);
-    };
-    const double run = of(fine);
+    const double run = value_of(fine, name);
     if (!std::isfinite(run))
       return;
-    const double difference = error_of(run, of(coarse));
+    const double difference =
+      has_coarser_run ? error_of(run, value_of(coarse, name)) : unknown;
     // Errors of peak and duration can cancel in what follows from both.
     const double least = name == "lung_exposure" && !list.empty()
                            ? std::fmax(difference, list.front().run_error)

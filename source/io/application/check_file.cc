@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <limits>
 
 namespace contrecoup
 {
@@ -33,8 +32,9 @@ namespace io
     {
       Json json;
       for (const auto &[name, figure] : figures)
-        json[name] =
-          std::isfinite(cost.*figure) ? Json(cost.*figure) : Json(nullptr);
+        json[name] = cost.*figure > 0. && std::isfinite(cost.*figure)
+                       ? Json(cost.*figure)
+                       : Json(nullptr);
       return json;
     }
 
@@ -142,9 +142,8 @@ namespace io
     {
       report.application = json.at("application").get<std::string>();
       for (const auto &[name, figure] : figures)
-        report.cost.*figure = json.at(name).is_null()
-                                ? std::numeric_limits<double>::quiet_NaN()
-                                : json.at(name).get<double>();
+        report.cost.*figure =
+          json.at(name).is_null() ? 0. : json.at(name).get<double>();
       report.outputs = json.at("outputs").get<std::vector<std::string>>();
     }
     catch (const Json::exception &)

@@ -16,6 +16,7 @@ import resume_cases
 import samples
 from case import check_bound, read_bytes, read_json, read_rows, read_summary, \
     read_text, require
+from summaries import flaw_of
 
 STAGES = ("anatomy", "blast", "biomechanics")
 ALL_STAGES = STAGES + ("coarser_blast", "coarser_biomechanics")
@@ -138,6 +139,18 @@ def require_repeatable(output):
             f"{line} gave {found.returncode}: {found.stdout}{found.stderr}")
 
 
+def require_coarser_run(output, expected):
+    """scene.json has the ratios of what the coarser run has made, and errors by
+    it alone."""
+    scene = read_json(output, "scene.json")
+    require(scene["coarser_run"] == expected,
+            f"coarser_run is {scene['coarser_run']}")
+    errors = [row["run_error"] for row in scene["table_comparison"]]
+    require(expected or not any(errors), f"errors of the run are {errors}")
+    flaw = flaw_of(os.path.join(output, "scene.json"))
+    require(not flaw, f"scene.json: {flaw}")
+
+
 def scene_run(case):
     """Every stage runs and keeps the bounds of the biomechanics summary; with
     other entries, stages whose inputs are the same are taken as they are."""
@@ -155,6 +168,7 @@ def scene_run(case):
     require_own_thresholds(case, output)
     require_own_names(output)
     require_repeatable(output)
+    require_coarser_run(output, {"cell_ratio": 2., "element_ratio": 5. / 3.})
     loads = os.stat(os.path.join(output, "blast", "loads.h5")).st_mtime_ns
     case.run(output, ["--resume", "--set", "Scene/Report=false"])
     require(statuses(output) == dict.fromkeys(ALL_STAGES, "reused"),
@@ -180,6 +194,11 @@ def scene_run(case):
                       re.M), f"nothing is made anew, which is not said: {out}")
     require(os.stat(os.path.join(output, "blast", "loads.h5")).st_mtime_ns
             == loads, "the loads of a blast that was reused are new")
+    # The coarser run of the earlier scene is there still.
+    case.run(output, ["--overwrite", "--set", "Scene/Error estimate=false",
+                      "--set", "Tissues/Set=physiological",
+                      "--set", "Scene/Report=false"])
+    require_coarser_run(output, None)
 
 
 def scene_own_mesh(case):
@@ -203,6 +222,7 @@ def scene_own_mesh(case):
             < 1e-6, f"size of elements: {scene['element_size']}")
     require(statuses(output) == dict.fromkeys(
         (*STAGES, "coarser_blast"), "finished"), f"{statuses(output)}")
+    require_coarser_run(output, {"cell_ratio": 2., "element_ratio": None})
     measures = [entry for entry in read_json(output, "report.json")["measures"]
                 if entry["name"].startswith("injury_")]
     require(measures and all(entry["least"] is None for entry in measures),

@@ -36,11 +36,13 @@ struct ComparedQuantity
  *
  * @param folder of the scene
  * @param body_mass [kg]
+ * @param has_coarser_run whether its coarser run tells the error
  */
 std::vector<ComparedQuantity> compare_with_tables(const SceneParameters &scene,
                                                   const SceneLayout &layout,
                                                   double body_mass,
-                                                  const std::string &folder);
+                                                  const std::string &folder,
+                                                  bool has_coarser_run);
 
 /// A warning that names what differs; empty if nothing does.
 std::string warning_of(const std::vector<ComparedQuantity> &compared,

@@ -48,7 +48,8 @@ namespace io
                const std::vector<std::string> &tables = {});
 
   /// Writes the report as JSON to the file that the environment variable
-  /// CONTRECOUP_CHECK_FILE names; nothing without it. For one rank.
+  /// CONTRECOUP_CHECK_FILE names; nothing without it. Figures that are unknown,
+  /// or that a stage has not, are null. For one rank.
   /// @throws SystemError
   void write_check_file(const CheckReport &report);
 
