@@ -27,6 +27,7 @@ sys.path += [os.path.join(HERE, "..", "applications", "cases"),
 import head_figures  # noqa: E402 (after the paths of the modules)
 import report_reader  # noqa: E402
 from plot import command_line  # noqa: E402
+from plot.figures import head_figures as head_cuts  # noqa: E402
 from plot.readers import cuts, head_run  # noqa: E402
 from plot.report import head_report, page as html_page  # noqa: E402
 
@@ -202,6 +203,29 @@ class CutTest(unittest.TestCase):
             circle = part * np.pi * (0.091**2 - 0.0123**2)
             self.assertLess(self.area(polygons), circle)
             self.assertGreater(self.area(polygons), 0.97 * circle)
+
+    def test_motion_of_the_skull(self):
+        """Of a head that moves and turns as a rigid body nothing is left, be
+        its fields of cells or of particles."""
+        run = head_run.HeadRun(OUTPUT)
+        run.mirrors = [1]
+        arrays = run.arrays(run.fields()[0][1])
+        points = arrays["points"] - run.middle(arrays["points"])
+        arrays["velocity"] = np.array([2., 0., -3.]) + np.cross(
+            [0., 22., 0.], points)
+        for is_of_particles in (False, True):
+            found = {name: values[:, :1] for name, values in arrays.items()} \
+                if is_of_particles else arrays
+            with unittest.mock.patch.object(
+                    run, "arrays", lambda _, of=found: dict(of)), \
+                    unittest.mock.patch.object(
+                        run, "has_particles", lambda of=is_of_particles: of), \
+                    unittest.mock.patch.object(run, "spacing", lambda: 0.01):
+                cut = run.cut(run.fields()[0])
+            for values in (cut.values, cut.centres):
+                self.assertGreater(np.abs(values["velocity"]).max(), 3.)
+                left = head_cuts.velocity_of(values, slice(None), True)
+                self.assertLess(np.abs(left).max(), 1e-5)
 
     def test_published_impact(self):
         """Only the published speed and the shipped sizes are those of the

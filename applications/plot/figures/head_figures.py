@@ -105,46 +105,39 @@ def draw_shear(run, cuts):
     return figure
 
 
-def relative_to(run, cut):
-    """Mean velocity of the skull at the time of a cut, in its plane."""
-    _, right, up = run.cut_axes()
-    mean = []
-    for axis in (right, up):
-        column = run.column("velocity_" + "xyz"[axis], "skull")
-        mean.append(0. if column is None or axis in run.mirrors else
-                    np.interp(cut.time, run.history["time"], column))
-    return np.array(mean)
+def velocity_of(values, part, is_relative):
+    """Velocities of a part of a cut, or what they differ by from the skull's as
+    a rigid body."""
+    return values["velocity"][part] - is_relative * values["carried"][part]
 
 
 def draw_speed(run, cuts):
-    """Speed of the CSF with arrows: as it is, and less the skull's mean
-    velocity, each on a scale of its own."""
-    figure, axes = _panels(run, cuts + cuts)
-    for group, (name, means) in enumerate((
-            ("speed", [np.zeros(2) for cut in cuts]),
-            ("less skull's", [relative_to(run, cut) for cut in cuts]))):
+    """Speed of the CSF with arrows: as it is, and less the skull's as a rigid
+    body, each on a scale of its own."""
+    kinds = ["speed"] + ["less skull's"] * (run.region("skull") is not None)
+    figure, axes = _panels(run, cuts * len(kinds))
+    for is_relative, name in enumerate(kinds):
         parts = [of_layers(run, cut.values, ("csf",)) for cut in cuts]
-        speeds = [np.linalg.norm(cut.values["velocity"][part] - mean, axis=1)
-                  for cut, part, mean in zip(cuts, parts, means)]
+        speeds = [np.linalg.norm(velocity_of(cut.values, part, is_relative),
+                                 axis=1) for cut, part in zip(cuts, parts)]
         largest = max(speed.max() for speed in speeds) or 1.
-        own = axes[group * len(cuts):(group + 1) * len(cuts)]
-        for axis, cut, part, speed, mean in zip(own, cuts, parts, speeds,
-                                                means):
+        own = axes[is_relative * len(cuts):(is_relative + 1) * len(cuts)]
+        for axis, cut, part, speed in zip(own, cuts, parts, speeds):
             add_polygons(axis, cut, ~part)
             shown = add_polygons(axis, cut, part, speed, cmap="viridis",
                                  norm=Normalize(0., largest))
-            _add_arrows(axis, run, cut, mean, largest)
+            _add_arrows(axis, run, cut, is_relative, largest)
         figure.colorbar(shown, ax=own, shrink=0.85, pad=0.01,
                         label=f"{name} [m/s]")
     return figure
 
 
-def _add_arrows(axis, run, cut, mean, largest):
+def _add_arrows(axis, run, cut, is_relative, largest):
     """One arrow in each direction from the head's centre, of the cell in the
     middle of the layer."""
     part = of_layers(run, cut.centres, ("csf",))
     place = cut.centres["place"][part]
-    velocity = cut.centres["velocity"][part] - mean
+    velocity = velocity_of(cut.centres, part, is_relative)
     centre = 0.5 * (place.min(axis=0) + place.max(axis=0))
     away = place - centre
     angles = (np.arange(MOST_ARROWS) + 0.5) * 2. * np.pi / MOST_ARROWS

@@ -50,3 +50,12 @@ def cut_hexahedra(corners, axis, place, shown):
         found.append(np.stack(ends, axis=1)[:, :, list(shown)])
         owned.append(owners[here])
     return np.concatenate(found), np.concatenate(owned)
+
+
+def volumes(corners):
+    """Volumes of hexahedra."""
+    points = corners[:, TETRAHEDRA]
+    first, second, third = (points[:, :, i] - points[:, :, 0]
+                            for i in range(1, 4))
+    return np.abs(np.sum(np.cross(first, second) * third, axis=2)
+                  ).sum(axis=1) / 6.

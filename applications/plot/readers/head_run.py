@@ -8,6 +8,7 @@ import os
 import numpy as np
 
 from plot.readers import cuts, fields, files, vtk_file
+from plot.readers.rigid_motion import RigidMotion
 from plot.readers.stage import Stage
 
 # The published impact of a head on a wall (X. G. Tan, R. N. Saunders, A. Bagchi,
@@ -46,7 +47,8 @@ class Plane:
 
 class Cut:
     """What a plane cuts of the cells at one time: polygons in the plane, cells
-    that they belong to, and the fields in these cells."""
+    that they belong to, and the fields in these cells; "carried" is the velocity
+    that the skull has there as a rigid body."""
 
     def __init__(self, time, polygons, values, centres):
         self.time, self.polygons = time, polygons
@@ -255,6 +257,27 @@ class HeadRun(Stage):
         result[self.mirrors] = low[self.mirrors]
         return result
 
+    def skull_velocity(self, arrays, places):
+        """Velocity of the skull as a rigid body at some places; zero without a
+        skull."""
+        name = self.region("skull")
+        part = np.round(arrays["region"][:, 0, 0]) == (
+            self.regions.index(name) if name else np.nan)
+        if not part.any():
+            return np.zeros_like(places)
+        points, velocities = (arrays[key][part].mean(axis=1)
+                              for key in ("points", "velocity"))
+        # Particles of one region have one mass.
+        masses = np.ones(len(points)) if self.has_particles() else \
+            arrays["density"][part].mean(axis=(1, 2)) \
+            * cuts.volumes(arrays["points"][part])
+        for axis in self.mirrors:
+            sign = np.where(np.arange(3) == axis, -1., 1.)
+            points = np.concatenate([points, points * sign])
+            velocities = np.concatenate([velocities, velocities * sign])
+            masses = np.concatenate([masses, masses])
+        return RigidMotion(points, velocities, masses).velocity_at(places)
+
     def cut(self, entry):
         """The Cut of an output, mirrored to the whole head."""
         time, pieces = entry
@@ -275,12 +298,14 @@ class HeadRun(Stage):
         values = {name: found[:, :, 0].mean(axis=1)[owners]
                   for name, found in arrays.items()
                   if name not in ("points", "velocity")}
-        velocity = arrays["velocity"].mean(axis=1)
-        values["velocity"] = velocity[owners][:, [right, up]]
-        centres = {
-            "place": arrays["points"].mean(axis=1)[shown][:, [right, up]],
-            "velocity": velocity[shown][:, [right, up]],
-            "region": arrays["region"][shown, 0, 0]}
+        places = arrays["points"].mean(axis=1)
+        vectors = {"velocity": arrays["velocity"].mean(axis=1),
+                   "carried": self.skull_velocity(arrays, places)}
+        centres = {"place": places[shown][:, [right, up]],
+                   "region": arrays["region"][shown, 0, 0]}
+        for name, vector in vectors.items():
+            values[name] = vector[owners][:, [right, up]]
+            centres[name] = vector[shown][:, [right, up]]
         for number, axis in enumerate((right, up)):
             if axis in self.mirrors:
                 polygons, values, centres = _mirrored(number, polygons, values,

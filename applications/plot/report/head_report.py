@@ -284,9 +284,11 @@ def cuts(run, folder):
             "The ring of CSF in the head's cut, coloured by its speed with "
             "arrows along its velocity after "
             f"{page.moments([cut.time for cut in flow])}.",
-            "Speed of the CSF with arrows, as it is (left) and less the "
-            "skull's mean velocity (right), which shows how it flows around "
-            "the brain. Arrows and colours have one scale on either side."))
+            "Speed of the CSF with arrows" + (
+                ", as it is (left) and less the skull's motion as a rigid body, "
+                "translation and rotation (right), which shows how it flows "
+                "around the brain. Arrows and colours have one scale on either "
+                "side." if run.region("skull") else ".")))
     return parts
 
 
