@@ -29,7 +29,8 @@ import report_reader  # noqa: E402
 from plot import command_line  # noqa: E402
 from plot.figures import head_figures as head_cuts  # noqa: E402
 from plot.readers import cuts, head_run  # noqa: E402
-from plot.report import head_report, page as html_page  # noqa: E402
+from plot.report import (head_report, injury_table,  # noqa: E402
+                         injury_thresholds, page as html_page)
 
 OUTPUT = None
 # Columns of tables whose figures are all checked, by section.
@@ -263,6 +264,26 @@ class WarningsTest(unittest.TestCase):
         words = str(head_report.warnings({"ALE": silent, "MPM": warned}))
         self.assertIn("<h3>Warnings of the runs</h3>", words)
         self.assertIn("MPM: layers: &lt;2 cells", words)
+
+
+class AnswerTest(unittest.TestCase):
+    """What the first screen says of thresholds of the user's own."""
+
+    def test_own_thresholds(self):
+        run = head_run.HeadRun(OUTPUT)
+        measures = head_report.measures(run)
+        for limit, words in ((1e-9, "above"), (2e3, "below")):
+            judged = [injury_table.Judged(
+                name, measures[name].value, "-",
+                injury_thresholds.KNOWN[name]._replace(
+                    thresholds=[(limit, "our line")], is_own=True), None, "")
+                      for name in ("injury_hic15", "injury_strain_95")]
+            text = str(head_report.answer(run, judged)).replace("\u00a0", " ")
+            limit = html_page.plain(limit, "-")
+            self.assertRegex(
+                text, rf"HIC15 is [^ ]+, {words} {limit} \(our line\)\.")
+            self.assertRegex(text, "strained by less than [^ ]+, which is "
+                             rf"{words} {limit} \(our line\)\.")
 
 
 class ParticlesTest(unittest.TestCase):

@@ -193,7 +193,8 @@ class InjuryMapsTest(unittest.TestCase):
             "subsection Injury\n  subsection Measure ear_rupture\n"
             "    set Thresholds = 0.3: too loud\n  end\nend\n")
         text = "".join(map(str, blast_sections.people(Scene(self.folder))))
-        self.assertIn("“too loud” by rupture of an eardrum on 1.25 m²", text)
+        self.assertIn("rupture of an eardrum above 30\u00a0% (too loud) on 1.25 m²",
+                      text)
         self.assertNotIn("half of the eardrums", text)
         self.assertIn("half of the people would die on", text)
         self.assertIn("thresholds of the user&#x27;s own for rupture", text)

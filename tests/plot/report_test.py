@@ -966,8 +966,9 @@ class ReportTest(unittest.TestCase):
                              name for name in own
                              if name.startswith("ear_rupture")})
         made = Made(folder)
-        self.expect(text_of(made.page), "HIC15 as for headache",
-                    "drums: too loud (",
+        self.expect(text_of(made.page),
+                    f"HIC15 of {hic.shown()} above 1 (headache)",
+                    "upture of eardrums above 0.0001 % (too loud): ",
                     "1: headache 5000: concussion the user's own: our ward",
                     "judge nothing, since the table of injuries lacks "
                     "chest_wall_back.")
@@ -977,6 +978,45 @@ class ReportTest(unittest.TestCase):
         self.assertEqual(told["injury_hic15"]["verdict"], "headache")
         self.assertTrue(told["injury_hic15"]["is_own"])
         self.assertFalse(told["injury_strain_95"]["is_own"])
+
+    def test_sentences_of_own_thresholds(self):
+        """They say which threshold, and on which side of it the value is."""
+        def entry(name, value, limits, error=None, unit="-", place="", **more):
+            known = injury_thresholds.KNOWN[name]._replace(
+                thresholds=limits, is_own=True, is_exposure=False)
+            return injury_table.Judged(name + place, value, unit, known, error,
+                                       "", **more)
+
+        def told(found):
+            return str(found).replace("\u00a0", " ")
+        low, high = [(1e-3, "low"), (0.5, "high")], [(100., "our line")]
+        self.assertEqual([entry("injury_hic15", value, high).compared()
+                          for value in (5886., 7.)],
+                         ["above 100 (our line)", "below 100 (our line)"])
+        gas = entry("injury_intracranial_pressure_lowest", -6e4,
+                    [(-5e4, "gas")], unit="Pa")
+        self.assertEqual([told(gas.compared(value)) for value in (None, -4e4)],
+                         ["below −50 kPa (gas)", "above −50 kPa (gas)"])
+        scene = types.SimpleNamespace(
+            loads=lambda: None, fact=lambda name: None,
+            table_answer=lambda name: (None, None))
+        given = {"curve": "given", "of": 0.}
+        self.assertEqual(told(verdict._life(
+            scene, [entry("lung_lethality", 0.3, low, **given)])),
+            "death by lung injury above 0.1 % (low): 30 %")
+        self.assertEqual(told(verdict._ears(scene, [
+            entry("ear_rupture", value, low, place=f"_{side} ear", **given)
+            for side, value in (("left", 0.7), ("right", 0.2))])),
+            "rupture of left eardrum above 50 % (high): 70 %, rupture of "
+            "right eardrum above 0.1 % (low): 20 %")
+        wall = [entry("chest_wall_mean", value, [(3., "slight")], 0.5, "m/s")
+                for value in (2.5, 9.)]
+        self.assertEqual([told(verdict._lungs([one])) for one in wall], [
+            "no lung injury (chest wall velocity 2.50 m/s, below 3 m/s "
+            "(slight), by the numerics 1.25 m/s to 3.75 m/s)",
+            "chest wall velocity 9.00 m/s, above 3 m/s (slight)"])
+        self.assertIn("of the median lethal one, above 0.001 (low)", told(
+            verdict._lungs([entry("lung_exposure_air", 0.3, low)])))
 
     def test_warnings(self):
         """Those of all stages stand in the report, each once."""

@@ -77,7 +77,8 @@ def people(scene):
         coarse = others.get(plane, {})
         words = []
         for name, (_, title, level, what) in PEOPLE.items():
-            words += [(f"“{meaning}” by {title}" if meaning else what)
+            words += [(f"{title} above {_limit(name, limit)} ({meaning})"
+                       if meaning else what)
                       + _area(scene, maps, coarse, name, limit)
                       for limit, meaning in own.get(name, [(level, "")])]
         drawn = page.drawn(injury_maps.draw, maps, own={
@@ -108,6 +109,12 @@ def people(scene):
             + "the chest wall velocity: "
             f"{KNOWN['chest_wall_velocity_air'].limits}."))
     return parts
+
+
+def _limit(name, limit):
+    """A threshold of the user's own in words."""
+    return page.plain(limit, "Pa") if name == "peak_overpressure" \
+        else page.plain(100. * limit, "%")
 
 
 def _area(scene, maps, coarse, name, level):

@@ -149,14 +149,16 @@ def answer(run, judged):
                 f"{page.quantity(high, 'Pa')} ({page.milliseconds(at_high)}).")
     strain = injury_table.find(judged, "injury_strain_95")
     if strain is not None:
-        text.append("95\u00a0% of the brain is strained by less than "
-                    f"{page.number(100. * strain.value)}\u00a0%"
-                    + (f", which means: {strain.meaning()}."
-                       if strain.meaning() else "."))
+        text.append("95\u00a0% of the brain is strained by less than " + (
+            f"{strain.shown()}, which is {strain.compared()}."
+            if strain.is_own else
+            f"{page.number(100. * strain.value)}\u00a0%"
+            + (f", which means: {strain.meaning()}." if strain.meaning()
+               else ".")))
     hic = injury_table.find(judged, "injury_hic15")
     if hic is not None:
         text.append(f"HIC15 is {page.number(hic.value)}"
-                    + (f", {hic.reached()}." if hic.meaning()
+                    + (f", {hic.reached()}." if hic.meaning() or hic.is_own
                        else ", below all limits."))
     end = float(run.history["time"][-1])
     return page.tag(

@@ -133,10 +133,19 @@ class Judged:
         count = self.exceeded(value)
         return self.thresholds[count - 1][1] if count else ""
 
+    def compared(self, value=None):
+        """Beside which of the user's own thresholds a value, or this one's,
+        is: the worst exceeded one, or the first."""
+        count = self.exceeded(value)
+        limit, meaning = self.thresholds[max(count, 1) - 1]
+        side = "above" if (count > 0) != (limit < 0.) else "below"
+        return f"{side} {self.shown_limit(limit)} ({meaning})"
+
     def reached(self):
-        """The same after the name of the measure."""
+        """The worst exceeded threshold after the name of the measure."""
         meaning = self.meaning()
-        return f"above the {meaning}" if meaning.startswith("limit") \
+        return self.compared() if self.is_own else f"above the {meaning}" \
+            if meaning.startswith(("limit", "threshold")) \
             else f"as for {meaning}"
 
     def is_certain(self):
@@ -419,7 +428,8 @@ def _verdict(entry):
         return page.tag("span", "exposure, no verdict", kind="none")
     count = entry.exceeded()
     is_lowest = entry.thresholds[0][0] < 0.
-    word = ("exceeded: " if is_lowest else "above: ") + entry.meaning() \
+    word = entry.compared() if entry.is_own else (
+        "exceeded: " if is_lowest else "above: ") + entry.meaning() \
         if count else "not reached" if is_lowest else "below"
     certain = entry.is_certain()
     note = "" if certain is None else "; the error does not change this" \

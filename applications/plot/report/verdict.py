@@ -41,7 +41,14 @@ class Verdict:
             None if None in known or not known else True
 
     def __str__(self):
-        return self.words + (f" ({self.detail})" if self.detail else "")
+        return with_detail(self.words, self.detail)
+
+
+def with_detail(words, detail):
+    """Words with a detail in brackets, or, where these stand already, after a
+    colon."""
+    return words if not detail else f"{words}: {detail}" \
+        if words.endswith(")") else f"{words} ({detail})"
 
 
 def verdicts(scene, judged):
@@ -67,12 +74,12 @@ def sentence(scene, found):
 
 
 def _word(words, entry, value):
-    """What a probability means: published words, or those of thresholds of the
-    user's own, after a colon."""
+    """What a probability means: published words, or where it is beside
+    thresholds of the user's own."""
     if entry.is_open:
         return " not judged"
     if entry.is_own:
-        return ": " + (entry.meaning(value) or "below all thresholds")
+        return " " + entry.compared(value)
     return " " + next(word for limit, word in words if value < limit)
 
 
@@ -103,9 +110,11 @@ def _life(scene, judged):
     if entry.is_open:
         return _not_judged(scene)
     words = _word(LIFE, entry, entry.value).strip()
+    detail = f"{entry.shown()}{_by_the_numerics(entry)}"
     if entry.is_own:
-        words = f"death by lung injury{words}"
-    detail = f"death by lung injury: {entry.shown()}{_by_the_numerics(entry)}"
+        words = f"death by lung injury {words}"
+    else:
+        detail = f"death by lung injury: {detail}"
     kind = injury_table.severity(entry)
     if disagrees(scene, judged):
         known = page.chance(scene.table_answer("lung_lethality")[0])
@@ -161,16 +170,18 @@ def _ears(scene, judged):
     worst = max(ears, key=lambda entry: entry.value)
     kind, tables = injury_table.severity(worst), _by_the_tables(scene, ears)
     words = [_word(EARS, entry, entry.value) for entry in ears]
+    whose = "rupture of " if worst.is_own else ""
     sides = [entry.name[len("ear_rupture_"):].split()[0] for entry in ears]
     if len(ears) > 1 and len(set(words)) > 1:
-        parts = [f"{side} eardrum{_singular(word)} ({entry.shown()}"
-                 f"{_by_the_numerics(entry)}{tables})" for side, word, entry
-                 in zip(sides, words, ears)]
+        parts = [with_detail(
+            f"{whose}{side} eardrum{_singular(word)}",
+            f"{entry.shown()}{_by_the_numerics(entry)}{tables}")
+                 for side, word, entry in zip(sides, words, ears)]
         return Verdict("eardrums", ", ".join(parts), kind, "", worst, ears)
     figures = [entry.shown() + _by_the_numerics(entry) for entry in ears]
     told = figures[0] if len(set(figures)) == 1 else "; ".join(
         f"{side} {figure}" for side, figure in zip(sides, figures))
-    return Verdict("eardrums", "eardrums" + words[0], kind,
+    return Verdict("eardrums", f"{whose}eardrums{words[0]}", kind,
                    told + (tables if told == figures[0] else
                            tables.replace(",", ";", 1)), worst, ears)
 
@@ -178,16 +189,13 @@ def _ears(scene, judged):
 def _singular(word):
     """" stay intact" of one eardrum: " stays intact"."""
     verb = "stay" if word.startswith(" stay") else "rupture"
-    return word if word.startswith((" may", " not", ":")) \
+    return word if word.startswith((" may", " not", " above", " below")) \
         else word.replace(verb, verb + "s")
 
 
 def _levels(entry, values):
     """Levels of lung injury that velocities have, from the first level of the
     smallest to the last one of the largest: "trace to moderate"."""
-    if entry.is_own:
-        return " to ".join(dict.fromkeys(
-            entry.meaning(value) or NO_LEVEL for value in values))
     meanings = [entry.meaning(value) or NO_LEVEL for value in values]
     words = [NO_LEVEL if meaning == NO_LEVEL else
              SEVERE if "lethality" in meaning else
@@ -213,13 +221,14 @@ def _lungs(judged):
             entry is not None and entry.exceeded()):
         # Of two measures the worse one counts.
         return Verdict("lungs", POSSIBLE, "mid",
-                       f"load {load.shown()} of the median lethal one, above "
-                       f"the {load.meaning()}{unsure}", load)
+                       f"load {load.shown()} of the median lethal one, "
+                       f"{load.reached()}{unsure}", load)
     is_known = entry is not None and not entry.is_open
     if not is_known and load is not None and not load.is_open:
         return Verdict("lungs", SOUND, injury_table.severity(load),
                        f"by the load alone, {load.shown()} of the median "
-                       f"lethal one{unsure}", load)
+                       "lethal one" + (f", {load.compared()}" if load.is_own
+                                       else "") + unsure, load)
     if not is_known or (load is not None and load.is_open
                         and not entry.exceeded()):
         mesh = injury_table.find(judged, "injury_chest_wall_velocity_mesh")
@@ -227,16 +236,27 @@ def _lungs(judged):
         return (is_cut or mesh) and Verdict(
             "lungs", "lungs not judged", "none",
             CUT if is_cut else "no gauge is at chest or back")
+    if entry.is_own:
+        return _own_lungs(entry)
     here = _levels(entry, (entry.value, entry.value))
     detail = ""
     if entry.error is not None:
         bounds = _levels(entry, entry.bounds())
         detail = "" if bounds == here else f"by the numerics {bounds}"
-    words = SOUND if here == NO_LEVEL else \
-        f"chest wall velocity: {here}" if entry.is_own else \
-        f"lung injury {here}"
+    words = SOUND if here == NO_LEVEL else f"lung injury {here}"
     if entry.is_cut and here != SEVERE:
         words += " or worse"
+    return Verdict("lungs", words, injury_table.severity(entry), detail, entry)
+
+
+def _own_lungs(entry):
+    """The verdict by thresholds of the user's own for the velocity of the chest
+    wall."""
+    words = f"chest wall velocity {entry.shown()}, {entry.compared()}"
+    detail = "" if entry.is_certain() in (True, None) else \
+        "by the numerics " + " to ".join(map(entry.shown, entry.bounds()))
+    if not entry.exceeded():
+        words, detail = SOUND, ", ".join(filter(None, (words, detail)))
     return Verdict("lungs", words, injury_table.severity(entry), detail, entry)
 
 
@@ -309,4 +329,5 @@ def _reached(entry):
     if entry.name == "injury_intracranial_pressure_lowest" \
             and not entry.is_own:
         return entry.meaning()
-    return f"{entry.short_title()} {entry.reached()}"
+    value = f" of {entry.shown()}" if entry.is_own else ""
+    return f"{entry.short_title()}{value} {entry.reached()}"
