@@ -404,7 +404,8 @@ class ReportTest(unittest.TestCase):
             "1.35e-06", "0.999"))
         words = text_of(Made(folder).page)
         self.expect(words, "Survives (death by lung injury: less than 0.1 %);",
-                    "Chest and lungs are farther from the charge",
+                    "and chest and lungs are farther from the charge than the "
+                    "nearest skin: death by lung injury follows from",
                     "of the reflected load on the skin of the trunk")
         for absent in ("free-field load over", "less than 0.1 % (4.2 % before",
                        "by the tables"):
@@ -779,18 +780,67 @@ class ReportTest(unittest.TestCase):
         """Their answer stands alone where no probe is as far from the charge as
         the body, and is missing where they have none."""
         folder = self.copy_without("blast/fields", "biomechanics/fields.pvd")
-        change_json(folder, "scene.json",
-                    lambda facts: facts.update(table_comparison=[]))
+        effect = tiny_scene.EFFECT
+        change_json(folder, "scene.json", lambda facts: (
+            facts.update(table_comparison=[]), facts["tables"].update(trunk={
+                "distance": 2.34, "in_the_open": effect,
+                "before_a_wall": {**effect, "lung_lethality": 0.0421}})))
         self.expect(text_of(Made(folder).page),
                     "in the open, as far as the nearest skin tables peak "
                     "overpressure 314 kPa free-field load over the 50 % "
-                    "lethality load 0.410 probability of death by lung injury "
-                    "less than 0.1 % (4.2 % before a wall)",
-                    "No probe beside the body has the wave of this run")
+                    "lethality load at the trunk 0.410 probability of death by "
+                    "lung injury at the trunk less than 0.1 % (4.2 % before a "
+                    "wall)", "No probe beside the body has the wave of this run")
         change_json(folder, "scene.json",
-                    lambda facts: facts["tables"].update(answer=None))
+                    lambda facts: facts["tables"].update(answer=None,
+                                                         trunk=None))
         self.expect(text_of(Made(folder).page), "Missing: an answer of the "
                     "tables of Kingery and Bulmash, which do not cover")
+
+    def test_other_verdict_by_the_skin(self):
+        """Without a probe, the load on the skin is compared with the tables, and
+        their verdict with that of the run, in the first sentence."""
+        folder = self.copy_without("blast/fields", "biomechanics/fields.pvd")
+
+        def told(in_the_open, before_a_wall):
+            change_json(folder, "scene.json", lambda facts: (
+                facts.update(
+                    table_comparison=[
+                        {"name": name, "place": "chest", "unit": unit,
+                         "run": run, "run_error": 0.1, "tables": tables,
+                         "tables_error": 0.2, "differs": differs}
+                        for name, unit, run, tables, differs in (
+                            ("reflected_overpressure", "Pa", 9e5, 2.25e6, True),
+                            ("arrival", "s", 1.8e-3, 1.9e-3, False))],
+                    plan=[{"item": "resolution", "entry": "Scene/Cell size"}]),
+                facts["tables"].update(trunk={
+                    "distance": 2.34, "in_the_open": {
+                        "lung_lethality": in_the_open},
+                    "before_a_wall": {"lung_lethality": before_a_wall}})))
+            words = text_of(Made(folder).page)
+            with open(os.path.join(folder, "headline.txt"),
+                      encoding="utf-8") as file:
+                return words, " ".join(file.read().split())
+        page, lines = told(0.19, 0.9999)
+        for text in page, lines:
+            self.expect(text, "Survival is uncertain (death by lung injury: less "
+                        "than 0.1 % by this run, 19 to 100 % by the tables)",
+                        "death with a probability of 19 % in the open and more "
+                        "than 99 % before a wall at the distance of the trunk, "
+                        "where this run has less than 0.1 %. Trust neither "
+                        "before a run with finer cells (Scene/Cell size). At "
+                        "the chest, the reflected peak overpressure is 60 % "
+                        "below the tables of Kingery and Bulmash")
+        self.expect(page, "reflected peak overpressure at the chest 900 kPa ± 10 "
+                    "% 2.25 MPa ± 20 % arrival at the chest 1.80 ms",
+                    "of the reflected load on the skin of the trunk: no probe "
+                    "beside the body has the wave in the open; for 24 h")
+        self.assertNotIn("farther from the charge than", page)
+        # Between the tables' values, and with their verdict, all is well.
+        for bounds in (1e-12, 0.9), (2e-3, 0.9):
+            for text in told(*bounds):
+                self.assertNotIn("survival is uncertain", text.lower())
+                self.expect(text, "urvives (death by lung injury: less than")
 
     def test_drawing_of_the_scene(self):
         """Ways end at the skin that is nearest to the charge, and no words
@@ -998,8 +1048,8 @@ class ReportTest(unittest.TestCase):
         self.assertEqual([told(gas.compared(value)) for value in (None, -4e4)],
                          ["below −50 kPa (gas)", "above −50 kPa (gas)"])
         scene = types.SimpleNamespace(
-            loads=lambda: None, fact=lambda name: None,
-            table_answer=lambda name: (None, None))
+            loads=lambda: None, fact=lambda name: None, measures=dict,
+            facts={}, table_answer=lambda name: (None, None))
         given = {"curve": "given", "of": 0.}
         self.assertEqual(told(verdict._life(
             scene, [entry("lung_lethality", 0.3, low, **given)])),
@@ -1356,11 +1406,16 @@ class ReportTest(unittest.TestCase):
         """Their measures are lower limits in all that a scene says, and no
         verdict where they are below all thresholds."""
         mild = (("6.632", "1.2"), ("0.26398", "0.1"), ("0.78773", "0.01"))
-        made = Made(self.cut_off(*mild))
+        folder = self.cut_off(*mild)
+        change_json(folder, "scene.json", lambda facts: facts["tables"].update(
+            trunk={"distance": 2.34, "in_the_open": {"lung_lethality": 0.021},
+                   "before_a_wall": {"lung_lethality": 0.73}}))
+        made = Made(folder)
         self.assertEqual(made.code, 0, made.errors)
         self.expect(
             text_of(made.page), "Survival not judged (the run ends before the "
-            "positive phase does; ", "eardrums not judged (≥ 1.0 %, by the "
+            "positive phase does; death by lung injury by the tables: 2.1 to "
+            "73 %)", "eardrums not judged (≥ 1.0 %, by the "
             "tables 95 %); lungs not judged (the run ends too early)",
             "≥ 1.20 m/s", "≥ 0.100", "not judged: the run ends too early",
             "The run ends too early: rupture probability of the left eardrum, "
@@ -1413,8 +1468,9 @@ class ReportTest(unittest.TestCase):
 
     def test_lungs_by_the_tables(self):
         """Where one of run and tables alone has a load above the threshold, that
-        is said, of a trunk that is far from the charge by its own distance."""
-        def words(name, value, in_the_open, at_trunk=None):
+        is said, of the load on the trunk by its own distance: the tables' is
+        between that in the open and before a wall."""
+        def words(name, value, in_the_open, *at_trunk):
             load = injury_table.Judged(
                 name, value, "-", injury_thresholds.Known(
                     "load", [(0.2, "threshold of lung injury")], "", ""), None,
@@ -1424,14 +1480,15 @@ class ReportTest(unittest.TestCase):
                 table_answer_at_trunk=lambda _: at_trunk, facts={},
                 list_of=lambda _: [], coarser=None)
             with unittest.mock.patch.object(
-                    injury_table, "is_trunk_far",
-                    lambda _: at_trunk is not None):
+                    injury_table, "lungs_by",
+                    lambda _: "skin" if at_trunk else "probe"):
                 return (str(verdict._by_tables(scene, [load],
                                                verdict._lungs([load]))),
                         " ".join(headline._tables(scene, [load])))
         for load, tables in (
                 (("lung_exposure_air", 0.107), (0.21,)),
-                (("lung_exposure", 0.107), (0.5, 0.21))):
+                (("lung_exposure", 0.107), (0.5, 0.21, 0.9)),
+                (("lung_exposure", 0.107), (0.1, 0.21, 0.9))):
             told, doubt = words(*load, *tables)
             self.assertIn("by the tables lung injury possible, load 0.210",
                           told)
@@ -1445,8 +1502,9 @@ class ReportTest(unittest.TestCase):
         for load, *tables in ((("lung_exposure_air", 0.107), 0.15),
                               (("lung_exposure_air", 0.107), None),
                               (("lung_exposure_air", 0.25), 0.3),
-                              (("lung_exposure", 0.107), 0.21),
-                              (("lung_exposure", 0.107), 0.5, 0.15)):
+                              (("lung_exposure", 0.107), 0.5, 0.15, 0.5),
+                              (("lung_exposure", 0.25), 0.5, 0.15, 0.5),
+                              (("lung_exposure", 0.107), 0.5, None, None)):
             for text in words(*load, *tables):
                 self.assertNotIn("tables", text)
 

@@ -124,9 +124,9 @@ def write_scene(folder):
                        "in_the_open": EFFECT, "before_a_wall": {
                            **EFFECT, "lung_lethality": 0.0421}},
                    "trunk": None},
-        "table_comparison": [dict(zip((
+        "table_comparison": [{"place": "probe 1", **dict(zip((
             "name", "unit", "run", "run_error", "tables", "tables_error",
-            "differs"), row)) for row in TABLES],
+            "differs"), row))} for row in TABLES],
         "changes": [{"entry": "Materials/Tissue skin/Density",
                      "value": "1200 kg/m^3", "before": "1100 kg/m^3"}],
         "warnings": ["no coarser run of the body"],

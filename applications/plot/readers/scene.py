@@ -69,18 +69,17 @@ class Scene:
         """A number of scene.json, or None."""
         return files.as_number(self.facts.get(name))
 
-    def table_answer(self, name):
+    def table_answer(self, name, where="answer"):
         """What the tables say of a person in the open and before a wall, of
         scene.json; None each where they do not."""
-        known = (self.facts.get("tables") or {}).get("answer") or {}
+        known = (self.facts.get("tables") or {}).get(where) or {}
         return tuple(files.as_number((known.get(place) or {}).get(name))
                      for place in ("in_the_open", "before_a_wall"))
 
     def table_answer_at_trunk(self, name):
-        """What the tables say of a person in the open whose trunk is farther
-        from the charge than the nearest skin; None where it is not."""
-        known = (self.facts.get("tables") or {}).get("trunk") or {}
-        return files.as_number((known.get("in_the_open") or {}).get(name))
+        """The same at the distance of the trunk, where the load on its skin
+        tells of the lungs."""
+        return self.table_answer(name, "trunk")
 
     def warnings(self):
         """Warnings of all stages, each once, with the stages that had them;

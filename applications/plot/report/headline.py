@@ -21,9 +21,12 @@ WORDS = {"reflection": "arrival of a wave reflected by an open side of the "
 # Quantities of the comparison with the tables.
 COMPARED = {"peak_overpressure": "peak overpressure",
             "impulse": "impulse", "duration": "duration",
-            "arrival": "arrival", "lung_exposure": KNOWN["lung_exposure_air"][0],
+            "arrival": "arrival",
+            "reflected_overpressure": "reflected peak overpressure",
+            "reflected_impulse": "reflected impulse", "lung_exposure": KNOWN["lung_exposure_air"][0],
             "lung_lethality": KNOWN["lung_lethality"][0],
             "eardrum_rupture": "rupture probability of an eardrum in the open"}
+PROBE = "probe 1"  # where the run is compared with the tables
 LUNGS = ("lung_exposure", "lung_lethality")
 # What grows with the positive phase.
 OF_THE_PHASE = ("impulse", "duration")
@@ -42,7 +45,9 @@ class Lead:
         self.opening = _opening(scene)
         self.reservations = _certainty(scene, judged)
         self.warnings = scene.warnings()
-        self.compared = _compared(scene)
+        self.compared, self.gauge = _compared(scene), _gauge(scene)
+        self.has_probe = bool(scene.list_of("table_comparison")) \
+            and not self.gauge
         self.charge = f"a bare charge {reflections.place_of_burst(scene)}" \
             + _equivalence(scene)
         mass = files.as_number((scene.facts.get("tables") or {}).get(
@@ -79,11 +84,18 @@ class Lead:
                                 "distance")
         caption = ("Tables: Kingery and Bulmash for "
                    f"{self.charge}, without {self.left_out}{self.lungs}. ")
-        if len(self.compared[0]) == 2:
+        if not self.has_probe:
             return page.table(
-                ("in the open, as far as the nearest skin", "tables"), self.compared,
+                ("in the open, as far as the nearest skin",
+                 *(("this run",) if self.gauge else ()), "tables"),
+                self.compared,
                 caption + "No probe beside the body has the wave of this run "
-                "at that distance.", numbers=(1,), data=self.file)
+                "at that distance" + (
+                    f"; at the {self.gauge} its load on the skin stands beside "
+                    "that on an endless wall, whose impulse is larger. ±: errors "
+                    "of the numerics, where they are known, and of the tables; "
+                    "what differs by more is marked." if self.gauge else "."),
+                numbers=(1, 2) if self.gauge else (1,), data=self.file)
         return page.table(
             ("beside the body, in the open", "this run", "tables"),
             self.compared, caption + "±: errors of the numerics, where they are "
@@ -143,8 +155,8 @@ def _equivalence(scene):
 
 
 def _compared(scene):
-    """Rows of this run beside the tables; of the tables alone where no probe is
-    as far from the charge as the body."""
+    """Rows of this run beside the tables; of the tables alone where this run has
+    neither a probe as far from the charge as the body nor a gauge there."""
     rows, compared = [], scene.list_of("table_comparison")
     is_cut = scene.blast.found("results", "probe_1_cut_off")
     for row in _rows(scene):
@@ -155,20 +167,27 @@ def _compared(scene):
                  for key in (("run", "tables") if compared else ("tables",))]
         if compared and is_cut and name in OF_THE_PHASE:
             cells[0] = "≥ " + cells[0]
-        wall = scene.table_answer(name)[1]
+        wall = row.get("before_a_wall", scene.table_answer(name)[1])
         if is_chance and wall is not None:
             cells[-1] += f" ({page.chance(wall)} before a wall)"
         if row.get("differs"):
             cells[-1] = page.tag("span", cells[-1], kind="mid")
-        rows.append((COMPARED.get(name, name.replace("_", " ")), *cells))
+        rows.append((_title(row), *cells))
     return rows
+
+
+def _title(row):
+    """What a row compares, and where unless that is the place of the table."""
+    name, place = str(row.get("name")), row.get("place") or PROBE
+    return COMPARED.get(name, name.replace("_", " ")) \
+        + ("" if place == PROBE else f" at the {place}")
 
 
 def _comparison_file(scene):
     """The same with all digits."""
     return (("quantity", "unit", "this run", "relative error of this run",
              "tables", "relative error of the tables", "differs"),
-            [(COMPARED.get(row.get("name"), row.get("name")), row.get("unit"),
+            [(_title(row), row.get("unit"),
               *("" if value is None else page.Rounded("", value) for value in (
                   files.as_number(row.get(key)) for key in (
                       "run", "run_error", "tables", "tables_error"))),
@@ -177,26 +196,44 @@ def _comparison_file(scene):
 
 
 def _rows(scene):
-    """Of table_comparison, or of the answer of the tables alone; without the
-    lungs where these are farther from the charge."""
-    rows = scene.list_of("table_comparison") or _answer_rows(scene)
+    """Of table_comparison, without the lungs where these are farther from the
+    charge; where no probe has the wave, after the answer of the tables."""
+    rows = scene.list_of("table_comparison")
+    if not rows or _gauge(scene):
+        return _answer_rows(scene) + rows
     return [row for row in rows if not (
         str(row.get("name")).startswith("lung_")
         and injury_table.is_trunk_far(scene))]
 
 
+def _gauge(scene):
+    """The gauge whose load is compared with the tables; "" if a probe's wave
+    is."""
+    places = {row.get("place") or PROBE
+              for row in scene.list_of("table_comparison")}
+    return "".join(places - {PROBE})
+
+
 def _answer_rows(scene):
-    """Rows as those of table_comparison, with the answer of the tables."""
+    """Rows as those of table_comparison, with the answer of the tables; lungs at
+    the trunk where its skin tells of them."""
     answer = (scene.facts.get("tables") or {}).get("answer") or {}
     in_the_open = answer.get("in_the_open") or {}
     known = {"peak_overpressure": (in_the_open.get("overpressure"), "Pa"),
              "impulse": (answer.get("impulse"), "Pa s"),
              "duration": (answer.get("duration"), "s"),
-             "arrival": (answer.get("arrival"), "s"),
-             **{name: (in_the_open.get(name), "-")
-                for name in ("lung_exposure", *CHANCES)}}
-    return [{"name": name, "tables": value, "unit": unit}
-            for name, (value, unit) in known.items() if value is not None]
+             "arrival": (answer.get("arrival"), "s")}
+    rows = [{"name": name, "tables": value, "unit": unit}
+            for name, (value, unit) in known.items()]
+    place = "trunk" if injury_table.lungs_by(scene) == "skin" else PROBE
+    for name in LUNGS:
+        value, wall = scene.table_answer(name) if place == PROBE else \
+            scene.table_answer_at_trunk(name)
+        rows.append({"name": name, "place": place, "tables": value,
+                     "before_a_wall": wall, "unit": "-"})
+    rows.append({"name": "eardrum_rupture", "unit": "-",
+                 "tables": in_the_open.get("eardrum_rupture")})
+    return [row for row in rows if row["tables"] is not None]
 
 
 def _with_error(value, unit, is_chance, error):
@@ -226,12 +263,9 @@ def _certainty(scene, judged):
     """How sure the answer is, a sentence each."""
     parts = unfinished.reservations(scene)
     if injury_table.lungs_by(scene) == "skin":
-        parts.append((
-            "The wave in the open is that at the nearest skin. Chest and lungs "
-            "are farther from the charge: death"
-            if injury_table.is_trunk_far(scene) else
-            "No probe beside the body has the wave in the open: death")
-            + " by lung injury follows from the reflected load on the skin.")
+        why = injury_table.why_by_the_skin(scene)
+        parts.append(f"{why[:1].upper()}{why[1:]}: death by lung injury follows "
+                     "from the reflected load on the skin.")
     parts += _cut_off(judged) + _walls(scene, judged)
     parts += _tables(scene, judged) + _verdicts(scene, judged)
     parts += _afterburn(scene) + _model_bias(scene)
@@ -287,16 +321,18 @@ def _tables(scene, judged):
     death = injury_table.find(judged, "lung_lethality")
     disagrees = verdict.disagrees(scene, judged)
     if disagrees:
+        low, high = injury_table.lungs_of_tables(scene, death.name)
         parts.append(
             "The tables have another verdict on the lungs: death with a "
-            "probability of "
-            + page.chance(scene.table_answer("lung_lethality")[0])
-            + f" in the open, where this run has {death.shown()}. "
+            f"probability of {page.chance(low)} in the open"
+            + (f" and {page.chance(high)} before a wall" if high > low else "")
+            + f"{_at_trunk(scene)}, where this run has {death.shown()}. "
             + ("Trust neither: finer cells leave the model's difference from "
                "the tables (below) as it is."
                if any(abs(bias) >= LARGE_BIAS
                       for bias in _known_biases(scene).values()) else
-               "Trust neither before a run with a finer Scene/Accuracy."))
+               "Trust neither before a run with finer cells "
+               f"({_entry_of_cells(scene)})."))
     differing, unsure, chances = [], [], []
     for row in _rows(scene):
         here, known = (files.as_number(row.get(key))
@@ -317,7 +353,8 @@ def _tables(scene, judged):
                 unsure.append(f"the {words}")
     if differing:
         parts.append(
-            "Beside the body, " + page.joined(differing) + " the tables of "
+            (f"At the {_gauge(scene)}, " if _gauge(scene) else
+             "Beside the body, ") + page.joined(differing) + " the tables of "
             "Kingery and Bulmash, by more than "
             + ("the errors of both" if not unsure else
                "the error of the tables, while that of the run is unknown"
@@ -344,10 +381,17 @@ def _tables(scene, judged):
     return [" ".join(parts)] if parts else []
 
 
+def _entry_of_cells(scene):
+    """The entry that makes cells finer."""
+    return next((row["entry"] for row in scene.list_of("plan")
+                 if row.get("item") == "resolution" and row.get("entry")),
+                "Scene/Accuracy")
+
+
 def _at_trunk(scene):
-    """Where the tables are asked for lungs that are farther from the charge."""
+    """Where the tables are asked for lungs, unless that is at the probe."""
     return " at the distance of the trunk" \
-        if injury_table.is_trunk_far(scene) else ""
+        if injury_table.lungs_by(scene) == "skin" else ""
 
 
 def _verdicts(scene, judged):

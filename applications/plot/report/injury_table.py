@@ -30,9 +30,6 @@ AIR_NAMES = {"lung_exposure": "lung_exposure_air",
              "lung_lethality": "lung_lethality"}
 # Beyond this, relative to the nearest skin, the trunk is not where the probe is.
 FARTHER = 1.15
-OF_THE_SKIN = ("of the reflected load on the skin of the trunk: trunk and "
-               "lungs are farther from the charge than the probe beside the "
-               "nearest skin; for 24 h without treatment")
 # Told with the checks of the run.
 NO_INJURY = ("injury_pressure_roughness",)
 PRESSURES = ("injury_intracranial_pressure_peak",
@@ -164,11 +161,11 @@ def judge(scene):
     lungs = lungs_by(scene)
     all_known = injury_thresholds.of_run(scene)
     coarser = {} if scene.coarser is None else _measures_of(
-        scene.coarser, side, lungs, all_known)
+        scene, scene.coarser, side, lungs, all_known)
     of_gauges = error_estimate.of_scene_gauges(scene)
     judged = []
     for name, (measure, known) in _measures_of(
-            scene, side, lungs, all_known).items():
+            scene, scene, side, lungs, all_known).items():
         value, other = measure.value, coarser.get(name)
         other = None if other is None else other[0].value
         error, causes = (None, "") if other is None else error_estimate.of(
@@ -253,6 +250,24 @@ def lungs_by(scene):
         else "skin"
 
 
+def lungs_of_tables(scene, name):
+    """The least and the largest value by the tables of a measure of the lungs at
+    what tells whether these kill, see lungs_by(): that in the open, where the
+    skin tells up to that before a wall; None each where they have none."""
+    return scene.table_answer_at_trunk(name) if lungs_by(scene) == "skin" \
+        else 2 * scene.table_answer(name)[:1]
+
+
+def why_by_the_skin(scene):
+    """Why the load on the skin tells of lungs, a clause."""
+    reasons = [] if has_probe_at_body(scene) else [
+        "no probe beside the body has the wave in the open"]
+    if is_trunk_far(scene):
+        reasons.append("chest and lungs are farther from the charge than the "
+                       "nearest skin")
+    return page.joined(reasons)
+
+
 def is_trunk_far(scene):
     """Whether chest, back and upper arms are farther from the charge than the
     nearest skin."""
@@ -276,8 +291,8 @@ def of_file(name, measure, all_known):
     return known._replace(limits=measure.limits or known.limits)
 
 
-def _measures_of(run, side, lungs, all_known):
-    """Each Measure and what is known of it, by name; @p run: a Scene or its
+def _measures_of(scene, run, side, lungs, all_known):
+    """Each Measure and what is known of it, by name; @p run: the Scene or its
     CoarserRun, @p lungs: see lungs_by()."""
     found = {}
 
@@ -290,7 +305,9 @@ def _measures_of(run, side, lungs, all_known):
         add("lung_lethality", stage.Measure(
             "lung_lethality", injury_thresholds.probability(
                 "lung_lethality", load.value), load.unit, is_cut=load.is_cut),
-            all_known["lung_lethality"]._replace(limits=OF_THE_SKIN))
+            all_known["lung_lethality"]._replace(
+                limits="of the reflected load on the skin of the trunk: "
+                + why_by_the_skin(scene) + "; for 24 h without treatment"))
     if lungs == "probe":
         for (measure, place), one in run.air_injury().items():
             name = AIR_NAMES.get(measure)

@@ -95,12 +95,15 @@ def disagrees(scene, judged):
     """Whether the tables have another verdict on life than the run at the same
     place, beyond its error."""
     entry = injury_table.find(judged, "lung_lethality")
-    known, _ = scene.table_answer("lung_lethality")
-    if None in (entry, known) or entry.limits == injury_table.OF_THE_SKIN:
+    if entry is None:
         return False
-    bounds = entry.bounds() or (entry.value, entry.value)
-    words = {_word(LIFE, entry, value) for value in (entry.value, *bounds)}
-    return _word(LIFE, entry, known) not in words
+    known = injury_table.lungs_of_tables(scene, entry.name)
+    low, high = entry.bounds() or (entry.value, entry.value)
+    high = 1. if entry.is_cut else high
+    if None in known or (high >= known[0] and low <= known[1]):
+        return False
+    nearest = min(max(entry.value, known[0]), known[1])
+    return _word(LIFE, entry, entry.value) != _word(LIFE, entry, nearest)
 
 
 def _life(scene, judged):
@@ -117,10 +120,10 @@ def _life(scene, judged):
         detail = f"death by lung injury: {detail}"
     kind = injury_table.severity(entry)
     if disagrees(scene, judged):
-        known = page.chance(scene.table_answer("lung_lethality")[0])
         return Verdict("life", "survival is uncertain", "bad",
                        f"death by lung injury: {entry.shown()} by this run"
-                       f"{_by_the_numerics(entry)}, {known} by the tables",
+                       f"{_by_the_numerics(entry)}, {_death_by_tables(scene)} "
+                       "by the tables",
                        entry)
     wall = injury_table.find(judged, "chest_wall_mean")
     if words == LIFE[0][1] and (
@@ -141,11 +144,17 @@ def _cut_off(scene):
 
 def _not_judged(scene):
     """The verdict on life where the end of the run cuts the load off."""
-    known, _ = scene.table_answer("lung_lethality")
+    known = _death_by_tables(scene)
     return Verdict("life", "survival not judged", "none",
                    "the run ends before the positive phase does"
-                   + ("" if known is None else "; death by lung injury by the "
-                      f"tables: {page.chance(known)}"))
+                   + (known and f"; death by lung injury by the tables: {known}"))
+
+
+def _death_by_tables(scene):
+    """The probability by the tables in words, "" where they have none."""
+    low, high = injury_table.lungs_of_tables(scene, "lung_lethality")
+    return "" if None in (low, high) else page.chance(low) if low == high \
+        else page.interval(low, high)
 
 
 def _by_the_tables(scene, ears):
@@ -261,19 +270,20 @@ def _own_lungs(entry):
 
 
 def other_lungs(scene, judged):
-    """The load that tells whether lungs are injured, and that of the tables at
-    the same distance, where only one of them is above the first threshold and
-    makes the verdict another one; else None."""
-    is_far, lungs = injury_table.is_trunk_far(scene), _lungs(judged)
-    load = _load(judged) if is_far else \
-        injury_table.find(judged, "lung_exposure_air")
-    known = scene.table_answer_at_trunk("lung_exposure") if is_far else \
-        scene.table_answer("lung_exposure")[0]
-    if None in (lungs, load, known) or lungs.words not in (
-            SOUND, POSSIBLE) or bool(load.exceeded()) == bool(
-                load.exceeded(known)):
+    """The load that tells whether lungs are injured, and the nearest one of the
+    tables at the same distance, where only one of them is above the first
+    threshold and makes the verdict another one; else None."""
+    lungs = _lungs(judged)
+    if lungs is None or lungs.words not in (SOUND, POSSIBLE):
         return None
-    return load, known
+    load = _load(judged) if injury_table.lungs_by(scene) == "skin" else \
+        injury_table.find(judged, "lung_exposure_air")
+    known = injury_table.lungs_of_tables(scene, "lung_exposure")
+    if None in (load, *known):
+        return None
+    nearest = min(max(load.value, known[0]), known[1])
+    return None if bool(load.exceeded()) == bool(load.exceeded(nearest)) \
+        else (load, nearest)
 
 
 def _by_tables(scene, judged, lungs):

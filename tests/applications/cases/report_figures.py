@@ -437,6 +437,11 @@ def check_headline(page, files):
     return len(wanted) + count
 
 
+# Columns of gauge_measures.csv by names of table_comparison.
+ON_SKIN = {"reflected_overpressure": "peak", "reflected_impulse": "impulse",
+           "arrival": "arrival"}
+
+
 def check_tables(page, files):
     """This run beside the tables, as scene.json has it and the blast has found
     it: the same value in all."""
@@ -445,11 +450,13 @@ def check_tables(page, files):
         return 0
     results = values_of(files.summary["blast"], "results")
     rows = page.table("").rows
-    require(len(rows) == len(told), f"{rows} of {told}")
-    for cells, row in zip(rows, told):
-        name = row["name"]
+    if told[0]["place"] == "probe 1":
+        require(len(rows) == len(told), f"{rows} of {told}")
+    for cells, row in zip(rows[-len(told):], told, strict=True):
+        name, place = row["name"], row["place"]
         known = results.get("probe_1_" + name, files.air.get(
-            (name, "probe 1"), row["run"]))
+            (name, "probe 1"), row["run"])) if place == "probe 1" else \
+            files.places[place][ON_SKIN[name]]
         require(abs(known / row["run"] - 1.) < 1e-9, f"{row}, {known}")
         for cell, key in zip(cells[1:], ("run", "tables")):
             require_chance(cell.removeprefix("≥ "), row[key], name)
@@ -485,7 +492,9 @@ def _without_tables(text, files):
     possible = re.search(r"by the tables lung injury possible, load ([\d.]+)", text)
     if possible:
         [load] = [row["tables"] for row in files.scene["table_comparison"]
-                  if row["name"] == "lung_exposure"]
+                  if row["name"] == "lung_exposure"] or [
+                      files.scene["tables"]["trunk"]["in_the_open"][
+                          "lung_exposure"]]
         require_same(possible[1], load, "load of the lungs by the tables")
         text = text.replace(possible[0], "…")
     text = re.sub(r"(?<=By the tables, ).*?(?=\.\n)", "…", text)
@@ -553,6 +562,7 @@ def _without_verdicts(page, text):
 def _free_air(files):
     """Differences to the tables that exceed the errors."""
     words = {"peak_overpressure": "the peak overpressure",
+             "reflected_overpressure": "the reflected peak overpressure",
              "lung_exposure": "the free-field load …",
              "impulse": "the impulse", "duration": "the duration",
              "arrival": "the arrival"}
