@@ -251,6 +251,53 @@ TEST(TableComparison, LeavesNothingToTheGroundOfASurfaceBurst)
 }
 
 
+// Without a probe, the load on the nearest skin is that on a wall.
+TEST(TableComparison, IsOfTheSkinWithoutAProbe)
+{
+  SceneParameters scene = scene_of("tnt", 1.1);
+  scene.mass = 0.1;
+  scene.place = Point<3>(0.5, 0., 1.1);
+  const SceneLayout layout = layout_of(scene);
+  ASSERT_FALSE(layout.probe);
+  const Landmark gauge{"upper arm", Point<3>(0.15, 0., 1.1)};
+  const IncidentWave wave = layout.incident_wave(scene);
+  const double peak = wave.value(BlastQuantity::reflected_overpressure, 0.35);
+  const io::TemporaryFolder folder;
+  const auto compare = [&](const double fine, const double coarse) {
+    for (const auto &[name, factor] :
+         {std::pair{"/blast", fine}, std::pair{"/coarser_blast", coarse}})
+    {
+      std::filesystem::create_directories(folder.path() + name);
+      std::ofstream(folder.path() + name + "/summary.json")
+        << R"({"results": {"loads_upper_arm_peak": {"value": )" << factor * peak
+        << R"(}, "loads_upper_arm_impulse": {"value": 1},)"
+        << R"( "loads_upper_arm_arrival": {"value": )"
+        << wave.value(BlastQuantity::arrival, 0.35) << "}}}";
+    }
+    return compare_skin_with_tables(
+      scene, layout, gauge, folder.path(), coarse > 0.);
+  };
+  EXPECT_EQ(warning_of(compare(0.8, 0.65), scene.explosive), "");
+  EXPECT_TRUE(std::isnan(compare(0.4, 0.).front().run_error));
+  const auto rows = compare(0.4, 0.26);
+  ASSERT_EQ(rows.size(), 3U);
+  EXPECT_NEAR(rows[0].run / rows[0].tables, 0.4, 1e-6);
+  // A body is no endless wall: its impulse may be less.
+  EXPECT_LT(rows[1].run, 0.1 * rows[1].tables);
+  EXPECT_TRUE(rows[0].differs && !rows[1].differs && !rows[2].differs);
+  const std::string warning = warning_of(rows, scene.explosive);
+  EXPECT_EQ(warning.find("WARNING: at the upper arm, run and tables of Kingery "
+                         "and Bulmash differ by more than what is known of "
+                         "their errors: reflected peak "),
+            0U)
+    << warning;
+  const Landmark aside{"upper arm", Point<3>(0.15, 0.2, 1.1)};
+  EXPECT_TRUE(
+    compare_skin_with_tables(scene, layout, aside, folder.path(), true)
+      .empty());
+}
+
+
 TEST(TableComparison, IsEmptyWithoutAProbe)
 {
   const SceneParameters scene = scene_of("tnt", 1.);

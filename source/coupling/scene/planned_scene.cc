@@ -223,19 +223,37 @@ double PlannedScene::person_mass() const
 }
 
 
+std::optional<Landmark> PlannedScene::nearest_gauge(const bool of_trunk) const
+{
+  const auto distance = [&](const Landmark &landmark) {
+    return landmark.place.distance(layout_->charge);
+  };
+  // Of both sides of a body that the charge faces the first one, as recorded.
+  constexpr double same = 1. - 1e-6;
+  std::optional<Landmark> nearest;
+  for (const Landmark &landmark : body_->landmarks())
+  {
+    const bool is_on_trunk =
+      landmark.name == "chest" || landmark.name == "back" ||
+      landmark.name.find("upper arm") != std::string::npos;
+    if ((is_on_trunk || !of_trunk) &&
+        (!nearest || distance(landmark) < same * distance(*nearest)))
+      nearest = landmark;
+  }
+  return nearest;
+}
+
+
 std::optional<SceneLayout> PlannedScene::layout_at_trunk() const
 {
   // As in the report.
   constexpr double farther = 1.15;
+  const auto gauge = nearest_gauge(true);
+  if (!gauge)
+    return {};
   SceneLayout there = *layout_;
-  there.distance = std::numeric_limits<double>::infinity();
-  for (const Landmark &landmark : body_->landmarks())
-    if (landmark.name == "chest" || landmark.name == "back" ||
-        landmark.name.find("upper arm") != std::string::npos)
-      there.distance =
-        std::min(there.distance, landmark.place.distance(layout_->charge));
-  if (!std::isfinite(there.distance) ||
-      there.distance <= farther * layout_->distance)
+  there.distance = gauge->place.distance(layout_->charge);
+  if (layout_->probe && there.distance <= farther * layout_->distance)
     return {};
   return there;
 }

@@ -210,7 +210,8 @@ namespace
 
 
   /// The answer of the tables, null where they have none, that at the trunk if
-  /// this is much farther, and the equivalence by which they are entered.
+  /// its skin tells of the lungs, and the equivalence by which they are
+  /// entered.
   io::Json tables_of(const PlannedScene &scene)
   {
     const TntEquivalence &tnt = scene.parameters().explosive.tnt;
@@ -236,7 +237,9 @@ namespace
         table_answer(scene.parameters(), *there, scene.person_mass());
       json["trunk"] = {
         {"distance", there->distance},
-        {"in_the_open", answer ? effect_of(answer->in_the_open) : io::Json()}};
+        {"in_the_open", answer ? effect_of(answer->in_the_open) : io::Json()},
+        {"before_a_wall",
+         answer ? effect_of(answer->before_a_wall) : io::Json()}};
     }
     return json;
   }
@@ -247,6 +250,7 @@ namespace
     io::Json rows = io::Json::array();
     for (const ComparedQuantity &one : compared)
       rows.push_back({{"name", one.name},
+                      {"place", one.place},
                       {"unit", one.unit},
                       {"run", one.run},
                       {"run_error", number(one.run_error)},
@@ -290,17 +294,27 @@ namespace
                           {"cover_at_least", "m"}};
 
 
-  /// Compares the blast with the tables. A coarser run that the scene has not
+  /// Compares the blast with the tables: the wave beside the body, or the load
+  /// on the nearest skin. A coarser run that the scene has not
   /// made may be left from an earlier one.
   std::vector<ComparedQuantity> compared(const PlannedScene &scene,
                                          const std::vector<SceneTask> &tasks,
                                          const std::string &folder)
   {
-    return compare_with_tables(scene.parameters(),
-                               scene.layout(),
-                               scene.person_mass(),
-                               folder,
-                               is_finished(tasks, "coarser_blast"));
+    const bool has_coarser_run = is_finished(tasks, "coarser_blast");
+    const auto beside = compare_with_tables(scene.parameters(),
+                                            scene.layout(),
+                                            scene.person_mass(),
+                                            folder,
+                                            has_coarser_run);
+    const auto gauge = scene.nearest_gauge();
+    return beside.empty() && gauge
+             ? compare_skin_with_tables(scene.parameters(),
+                                        scene.layout(),
+                                        *gauge,
+                                        folder,
+                                        has_coarser_run)
+             : beside;
   }
 
 

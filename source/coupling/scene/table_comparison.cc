@@ -11,9 +11,11 @@
 #include <boost/math/constants/constants.hpp>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <utility>
 
 namespace contrecoup::coupling
 {
@@ -26,6 +28,12 @@ namespace
 
   /// Order of convergence by which the coarser run estimates errors.
   constexpr double order = 0.7;
+
+  double error_of_tables(const SceneParameters &scene)
+  {
+    return scene.explosive.tnt.is_published ? scatter : scatter_of_estimate;
+  }
+
 
   std::string read_if_any(const std::string &file)
   {
@@ -52,7 +60,7 @@ namespace
   double injury_of(const std::string &folder, const std::string &measure)
   {
     const std::string table = read_if_any(folder + "/probe_injury.csv");
-    const std::string beginning = "\n" + measure + ",probe 1,";
+    const std::string beginning = "\n" + measure + "," + first_probe + ",";
     const std::size_t place = table.find(beginning);
     return place == std::string::npos
              ? unknown
@@ -82,6 +90,33 @@ namespace
     constexpr double largest = 40. * boost::math::double_constants::degree;
     return peak > tables && !layout.is_surface_burst &&
            std::atan2(layout.distance, 2. * layout.charge[2]) > largest;
+  }
+
+
+  /// Compares a quantity whose numerical error is at least @p least_error.
+  /// @p may_exceed, @p may_be_less: whether what the tables leave out explains
+  /// a difference.
+  ComparedQuantity compare(const std::string &name,
+                           const std::string &unit,
+                           const std::pair<double, double> &fine_and_coarse,
+                           const std::pair<double, double> &tables_and_error,
+                           const double least_error,
+                           const bool may_exceed,
+                           const bool may_be_less)
+  {
+    const auto [run, coarse] = fine_and_coarse;
+    const auto [tables, error] = tables_and_error;
+    const double difference = error_of(run, coarse);
+    const double least = std::fmax(difference, least_error);
+    const double allowed = error * tables + std::fmax(least * run, 0.);
+    return {name,
+            unit,
+            run,
+            std::isfinite(difference) ? least : unknown,
+            tables,
+            error,
+            std::abs(run - tables) > allowed &&
+              !(run > tables ? may_exceed : may_be_less)};
   }
 
 
@@ -129,6 +164,7 @@ namespace
       {"impulse", "impulse"},
       {"duration", "duration"},
       {"arrival", "arrival"},
+      {"reflected_overpressure", "reflected peak"},
       {"lung_exposure", "lung load in the open over that which kills half"},
       {"lung_lethality", "death by lung injury in the open"},
       {"eardrum_rupture", "eardrum rupture under the incident peak"}};
@@ -174,8 +210,7 @@ std::vector<ComparedQuantity> compare_with_tables(const SceneParameters &scene,
   if (!answer || !layout.probe ||
       !(std::abs(reference / answer->in_the_open.overpressure - 1.) < 1e-3))
     return {};
-  const double error =
-    scene.explosive.tnt.is_published ? scatter : scatter_of_estimate;
+  const double error = error_of_tables(scene);
   std::vector<ComparedQuantity> list;
   const auto add = [&](const std::string &name,
                        const std::string &unit,
@@ -185,21 +220,16 @@ std::vector<ComparedQuantity> compare_with_tables(const SceneParameters &scene,
     const double run = value_of(fine, name);
     if (!std::isfinite(run))
       return;
-    const double difference =
-      has_coarser_run ? error_of(run, value_of(coarse, name)) : unknown;
     // Errors of peak and duration can cancel in what follows from both.
-    const double least = name == "lung_exposure" && !list.empty()
-                           ? std::fmax(difference, list.front().run_error)
-                           : difference;
-    const double allowed = error * tables + std::fmax(least * run, 0.);
-    list.push_back({name,
-                    unit,
-                    run,
-                    std::isfinite(difference) ? least : unknown,
-                    tables,
-                    error,
-                    std::abs(run - tables) > allowed &&
-                      !(run > tables ? may_exceed : may_be_less)});
+    list.push_back(
+      compare(name,
+              unit,
+              {run, has_coarser_run ? value_of(coarse, name) : unknown},
+              {tables, error},
+              name == "lung_exposure" && !list.empty() ? list.front().run_error
+                                                       : unknown,
+              may_exceed,
+              may_be_less));
   };
   // A merged wave is that of a stronger charge: earlier, and perhaps shorter. A
   // positive phase that the end of the run cuts is a lower limit.
@@ -223,6 +253,66 @@ std::vector<ComparedQuantity> compare_with_tables(const SceneParameters &scene,
 }
 
 
+std::vector<ComparedQuantity>
+compare_skin_with_tables(const SceneParameters &scene,
+                         const SceneLayout &layout,
+                         const Landmark &gauge,
+                         const std::string &folder,
+                         const bool has_coarser_run)
+{
+  // Farther away, the skin may be turned from the charge.
+  constexpr double nearly = 1.05;
+  const double distance = gauge.place.distance(layout.charge);
+  const IncidentWave wave = layout.incident_wave(scene);
+  if (layout.probe || distance > nearly * layout.distance ||
+      !wave.is_tabulated(distance))
+    return {};
+  std::string name = "loads_" + gauge.name + "_";
+  std::replace(name.begin(), name.end(), ' ', '_');
+  std::vector<ComparedQuantity> list;
+  const auto add = [&](const std::string &quantity,
+                       const std::string &unit,
+                       const std::string &result,
+                       const double tables,
+                       const bool may_exceed,
+                       const bool may_be_less) {
+    const double run = result_of(folder + "/blast", name + result);
+    if (!std::isfinite(run) || !std::isfinite(tables))
+      return;
+    list.push_back(compare(
+      quantity,
+      unit,
+      {run,
+       has_coarser_run ? result_of(folder + "/coarser_blast", name + result)
+                       : unknown},
+      {tables, error_of_tables(scene)},
+      unknown,
+      may_exceed,
+      may_be_less));
+    list.back().place = gauge.name;
+  };
+  const double peak =
+    wave.value(BlastQuantity::reflected_overpressure, distance);
+  const bool merges =
+    may_merge(layout, result_of(folder + "/blast", name + "peak"), peak);
+  add("reflected_overpressure", "Pa", "peak", peak, merges, false);
+  // What comes back later adds to it, and the edges of a body relieve it.
+  add("reflected_impulse",
+      "Pa s",
+      "impulse",
+      wave.value(BlastQuantity::reflected_impulse, distance),
+      true,
+      true);
+  add("arrival",
+      "s",
+      "arrival",
+      wave.value(BlastQuantity::arrival, distance),
+      false,
+      merges);
+  return list;
+}
+
+
 std::string warning_of(const std::vector<ComparedQuantity> &compared,
                        const Explosive &explosive)
 {
@@ -233,7 +323,10 @@ std::string warning_of(const std::vector<ComparedQuantity> &compared,
   if (parts.empty())
     return "";
   const std::string equivalence = equivalence_in_words(explosive);
-  return "WARNING: beside the body, run and tables of Kingery and Bulmash" +
+  const std::string &place = compared.front().place;
+  return "WARNING: " +
+         (place == first_probe ? "beside the body" : "at the " + place) +
+         ", run and tables of Kingery and Bulmash" +
          (equivalence.empty() ? "" : " (" + equivalence + ")") +
          " differ by more than what is known of their errors: " +
          join(parts, "; ");

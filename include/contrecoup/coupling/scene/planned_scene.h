@@ -62,8 +62,13 @@ public:
     return *layout_;
   }
 
+  /// The place of a gauge on the skin, or on the trunk alone, that is nearest
+  /// to the charge; nothing of a body without gauges.
+  std::optional<Landmark> nearest_gauge(bool of_trunk = false) const;
+
   /// The layout with the distance of the trunk, where this is much farther from
-  /// the charge than the nearest skin, as with a charge at the feet.
+  /// the charge than the nearest skin, as with a charge at the feet, or where
+  /// no probe has the wave beside the body: there its skin tells of the lungs.
   std::optional<SceneLayout> layout_at_trunk() const;
 
   /// Probes of biomechanics in tissues; empty unless injury is asked for.

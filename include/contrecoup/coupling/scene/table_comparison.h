@@ -4,16 +4,23 @@
 #pragma once
 
 #include <contrecoup/coupling/scene/first_answer.h>
+#include <contrecoup/geometry/body/body.h>
 
 #include <string>
 #include <vector>
 
 namespace contrecoup::coupling
 {
-/// A quantity at the probe beside the body, by the run and by the tables.
+/// Place of what is compared, unless it is a gauge on the skin.
+constexpr const char *first_probe = "probe 1";
+
+/// A quantity at the probe beside the body, or on the nearest skin, by the run
+/// and by the tables.
 struct ComparedQuantity
 {
-  std::string name; ///< as in the blast's results and in probe_injury.csv
+  /// As in the blast's results and in probe_injury.csv, or that of a load on
+  /// the skin by the tables.
+  std::string name;
   std::string unit;
   double run;
   /// Numerical error of the run by its coarser run [-]; NaN: unknown, as for
@@ -26,6 +33,7 @@ struct ComparedQuantity
   /// the peak for the load, in a direction that reflections by the ground
   /// cannot explain.
   bool differs;
+  std::string place = first_probe;
 };
 
 
@@ -43,6 +51,23 @@ std::vector<ComparedQuantity> compare_with_tables(const SceneParameters &scene,
                                                   double body_mass,
                                                   const std::string &folder,
                                                   bool has_coarser_run);
+
+/**
+ * Compares the load on the skin with that on a wall by the tables, for a scene
+ * without a probe beside the body: peak, impulse and arrival. Empty for a gauge
+ * that is farther from the charge than the nearest skin, without results, and
+ * where the tables do not cover the distance.
+ *
+ * @param gauge on the skin
+ * @param folder of the scene
+ * @param has_coarser_run whether its coarser run tells the error
+ */
+std::vector<ComparedQuantity>
+compare_skin_with_tables(const SceneParameters &scene,
+                         const SceneLayout &layout,
+                         const Landmark &gauge,
+                         const std::string &folder,
+                         bool has_coarser_run);
 
 /// A warning that names what differs; empty if nothing does.
 std::string warning_of(const std::vector<ComparedQuantity> &compared,
