@@ -524,12 +524,14 @@ def thin_layers():
            shipped(SCENE, entry("Scene/End time", "0.005"), *head,
                    entry("Body/Shift", "0, 0, 1"),
                    entry("Scene/Element size", "0.02")),
-           "WARNING: layer 1, 2.5 mm (Body/Shape/Layers), layer 2, 6.5 mm")
+           "WARNING: layer 1: cerebrospinal fluid, 2.5 mm (Body/Shape/Layers), "
+           "layer 2: skeleton, 6.5 mm")
     yield ("layers of anatomy", "anatomy",
            shipped(ANATOMY, *head, entry("Mesh/Element size", "0.02")),
-           "WARNING: layer 1, 2.5 mm (Body/Shape/Layers), layer 2, 6.5 mm")
-    may = ("WARNING: layer 1, 3 mm (Body/Shape/Layers) is thinner than the "
-           "diagonal of elements of 3 mm and may be in pieces; {} size of at "
+           "WARNING: layer 1: cerebrospinal fluid, 2.5 mm (Body/Shape/Layers), "
+           "layer 2: skeleton, 6.5 mm")
+    may = ("WARNING: layer 1: cerebrospinal fluid, 3 mm (Body/Shape/Layers) is "
+           "thinner than the diagonal of elements of 3 mm and may be in pieces; {} size of at "
            "most 1.7 mm closes it")
     alike = [*head, entry("Body/Shape/Layers", "0.003, 0.006, 0.005")]
     yield ("layer as thick as elements of a scene", "scene",

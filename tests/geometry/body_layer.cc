@@ -63,14 +63,18 @@ TEST(BodyLayer, WarnsOfElementsThatTheUserMakesLarge)
   ASSERT_EQ(layers.size(), 3U);
   const auto usual = thin_layer_lines(layers, 0.0032, 0.0032, "Element size");
   ASSERT_EQ(usual.size(), 1U);
-  EXPECT_EQ(usual[0].find("layer 1, 2.5 mm (Body/Shape/Layers) is"), 0U)
+  EXPECT_EQ(usual[0].find(
+              "layer 1: cerebrospinal fluid, 2.5 mm (Body/Shape/Layers) is"),
+            0U)
     << usual[0];
   const auto large = thin_layer_lines(layers, 0.02, 0.0032, "Element size");
   ASSERT_EQ(large.size(), 1U);
-  EXPECT_EQ(large[0].find("WARNING: layer 1, 2.5 mm (Body/Shape/Layers), layer "
-                          "2, 6.5 mm (Body/Shape/Layers), layer 3, 5 mm "
-                          "(Body/Shape/Layers) are thinner"),
-            0U)
+  EXPECT_EQ(
+    large[0].find(
+      "WARNING: layer 1: cerebrospinal fluid, 2.5 mm (Body/Shape/Layers), layer "
+      "2: skeleton, 6.5 mm (Body/Shape/Layers), layer 3: soft tissue, 5 mm "
+      "(Body/Shape/Layers) are thinner"),
+    0U)
     << large[0];
 }
 
@@ -100,10 +104,12 @@ TEST(BodyLayer, WarnsOfALayerThatMayBeInPieces)
   const auto layers = layers_of({"Kind=shape",
                                  "Shape/Shape=layered head",
                                  "Shape/Layers=0.003, 0.0065, 0.005"});
-  const std::string layer = "WARNING: layer 1, 3 mm (Body/Shape/Layers) is "
-                            "thinner than the diagonal of elements of ",
-                    advice = " and may be in pieces; Element size of at most "
-                             "1.7 mm closes it";
+  const std::string
+    layer =
+      "WARNING: layer 1: cerebrospinal fluid, 3 mm (Body/Shape/Layers) is "
+      "thinner than the diagonal of elements of ",
+    advice = " and may be in pieces; Element size of at most "
+             "1.7 mm closes it";
   // The others are thicker, or as thick as usual.
   for (const auto &[size, words] :
        {std::pair{0.003, "3 mm"}, std::pair{0.0018, "1.8 mm"}})

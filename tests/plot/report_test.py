@@ -1142,6 +1142,14 @@ class ReportTest(unittest.TestCase):
             self.assertAlmostEqual(time[first], 1.1)
             self.assertAlmostEqual(time[second], moment)
 
+    def test_rise_time(self):
+        """That of the first peak, which may be below half of a later one."""
+        time = np.linspace(0., 10., 1001)
+        for later in (0.5, 2.5):
+            values = np.interp(time, [0., 1., 2., 4., 5., 10.],
+                               [0., 0., 1., 0.2, later, 0.])
+            self.assertAlmostEqual(signals.rise_time(time, values), 0.8)
+
     def test_arrival(self):
         """The middle of the first rise, on skin and in tissue."""
         time = np.linspace(0., 4., 4001)
@@ -1159,6 +1167,10 @@ class ReportTest(unittest.TestCase):
             {"peak": 912e3, "peak time": 1.85e-3})
         style.plt.close(figure)
         self.assertTrue(told.startswith("● 912 at 1.85  ▼ "), told)
+        largest, later = signals.peaks_of_steps(
+            np.arange(5.), np.array([0., 3., 0., 2., 0.]),
+            {"peak": 3.5, "peak time": 1.01})
+        self.assertEqual((largest, later), ((1.01, 3.5), (3., 2.)))
 
     def test_exposure(self):
         """Thresholds of an exposure give no verdict: it is neither red nor
@@ -1195,8 +1207,8 @@ class ReportTest(unittest.TestCase):
             "impulse by at most 32 %.",
             "7.7 % of the largest internal energy of a tissue was stored in "
             "hourglass modes (limit 10 %).",
-            "Beyond its limit: number of cells in the positive phase at the "
-            "body (12.3; limit: at least 15).")
+            "Beyond its limit: number of cells in the positive phase of the wave at "
+            "the body (12.3; limit: at least 15).")
         answer = re.search('<div class="doubts">(.*?)</div>', self.page)[1]
         for word in ("duration", "is missing (limit"):
             self.assertFalse(word in answer, word)

@@ -51,8 +51,8 @@ AUDIT = (
      "largest rise of the incident impulse by afterburn", "0.317", "0.317", "",
      None, "Charge/Afterburn energy"),
     ("resolution", "cells of 20 mm at the skin",
-     "number of cells in the positive phase at the body", "11.9", "12.3", "at least 15",
-     False, "Scene/Accuracy"),
+     "number of cells in the positive phase of the wave at the body", "11.9", "12.3",
+     "at least 15", False, "Scene/Accuracy"),
     ("quiet_leaves", "not computed", "fraction of skipped updates", "unknown",
      "0.47", "", True, "Blast/Method/Skip quiet leaves"))
 

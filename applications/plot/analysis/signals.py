@@ -6,6 +6,7 @@ import numpy as np
 
 ARRIVED = 0.05  # of the largest absolute value
 LIKE_LARGEST = 0.4  # of a rise: what is less may be an oscillation behind a front
+NEAR = 0.01  # of the run, between the sample of a peak and the peak itself
 ROUND_OFF = 1e-6  # of single precision, as a part of the largest absolute value
 
 
@@ -45,12 +46,11 @@ def arrival(time, values, part=ARRIVED):
 
 
 def rise_time(time, values):
-    """From a tenth to nine tenths of the first peak that has half of the
-    largest value at least [s]."""
-    top = values.max()
-    first = int(np.argmax(values >= 0.5 * top))
-    while first + 1 < len(values) and values[first + 1] > values[first]:
-        first += 1
+    """From a tenth to nine tenths of the first of find_peaks() [s]; NaN without
+    one."""
+    first, _ = find_peaks(time, values)
+    if first is None:
+        return np.nan
     before = values[:first + 1]
     low = int(np.argmax(before >= 0.1 * values[first]))
     high = int(np.argmax(before >= 0.9 * values[first]))
@@ -135,3 +135,17 @@ def find_peaks(time, over):
             return first, None
         if over[top] > 0.:
             return first, top
+
+
+def peaks_of_steps(time, over, measures):
+    """(time, value) of both find_peaks() at a gauge, or None. The largest is that
+    of its @p measures: samples are means over steps and lack some of the
+    peak."""
+    peaks = []
+    for index in find_peaks(time, over):
+        peak = None if index is None else (float(time[index]), float(over[index]))
+        if peak and "peak" in measures and peak[1] == np.max(over) and \
+                abs(measures["peak time"] - peak[0]) < NEAR * time[-1]:
+            peak = measures["peak time"], measures["peak"]
+        peaks.append(peak)
+    return peaks

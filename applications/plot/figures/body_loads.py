@@ -14,7 +14,6 @@ from plot.analysis import signals
 from plot.figures import body_views, style
 
 MOST_TIMES = 6
-NEAR = 0.01  # of the run, between the sample of a peak and the peak itself
 
 
 def draw(folder, pictures):
@@ -266,15 +265,11 @@ def _draw_history(axis, gauges, name, colour, measures):
                       alpha=0.15, linewidth=0.)
     axis.plot(time * time_factor, over * factor, color=colour, linewidth=1.2)
     told = []
-    for index, marker, mark in zip(signals.find_peaks(time, over), "ov", "●▼"):
-        if index is None:
+    for peak, marker, mark in zip(signals.peaks_of_steps(time, over, measures),
+                                  "ov", "●▼"):
+        if peak is None:
             continue
-        place = time[index], over[index]
-        # Samples are means over steps and lack some of the peak.
-        if "peak" in measures and over[index] == np.max(over) and \
-                abs(measures["peak time"] - place[0]) < NEAR * time[-1]:
-            place = measures["peak time"], measures["peak"]
-        place = place[0] * time_factor, place[1] * factor
+        place = peak[0] * time_factor, peak[1] * factor
         axis.plot(*place, marker=marker, markersize=4, color=colour)
         told.append(f"{mark} {place[1]:.3g} at {place[0]:.3g}")
     axis.set_ylabel(unit)

@@ -277,11 +277,12 @@ def _interruptions(summary):
 def _duration(seconds):
     if seconds is None:
         return "–"
-    text = f"{int(seconds // 3600)} h {int(seconds % 3600 // 60):02d} min"
-    if seconds < 60.:
+    minutes, rest = divmod(int(seconds + 0.5), 60)
+    text = f"{minutes // 60} h {minutes % 60:02d} min"
+    if minutes == 0:
         text = f"{page.number(seconds, 2)} s"
-    elif seconds < 3600.:
-        text = f"{int(seconds // 60)} min {int(seconds % 60):02d} s"
+    elif minutes < 60:
+        text = f"{minutes} min {rest:02d} s"
     return page.Rounded(text, seconds, "s")
 
 

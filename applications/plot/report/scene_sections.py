@@ -334,11 +334,11 @@ def _skin_events(scene):
     for name, measures in scene.gauge_measures().items():
         if measures["peak"] <= 0. or name not in gauges:
             continue
-        _, second = signals.find_peaks(time, gauges[name])
+        _, second = signals.peaks_of_steps(time, gauges[name], measures)
         found.append(Event(
             "skin", name, measures["arrival"],
             measures["arrival"] + measures["positive phase"],
-            None if second is None else float(time[second]),
+            second and second[0],
             f"peak {page.quantity(measures['peak'], 'Pa')}, impulse "
             + page.quantity(measures["impulse"], "Pa s")))
         found[-1].is_cut = measures["cut off"] > 0.

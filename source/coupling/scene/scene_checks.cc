@@ -254,13 +254,18 @@ std::string reflection_warning(const PlannedScene &scene, const TaskText &blast)
     gas::reflected_paths<3>(
       layout.charge, corners.first, corners.second, open, nearest)
       .front();
-  if (path.length >= layout.front_distance)
+  const double end_time = scene.parameters().end_time;
+  const double arrival = ExpectedBlast(scene.parameters().energy(),
+                                       SceneLayout::air_pressure,
+                                       SceneLayout::air_density)
+                           .arrival(path.length);
+  if (arrival >= end_time)
     return "";
   return "WARNING: reflection: from the charge by the open side " +
          sides[path.side] + " back to the probe at " + coordinates(path.gauge) +
-         " m it is " + brief(path.length, 3) + " m, and the front goes " +
-         brief(layout.front_distance, 3) + " m until " +
-         brief(scene.parameters().end_time) +
+         " m it is " + brief(path.length, 3) + " m, and the front goes that " +
+         "way in " + brief(arrival, 3) + " s, before the end at " +
+         brief(end_time) +
          " s; a larger Blast/Domain, or none, keeps its reflection away";
 }
 

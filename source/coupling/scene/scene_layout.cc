@@ -21,9 +21,7 @@ using dealii::Tensor;
 
 namespace
 {
-  constexpr double air_pressure = 101325.; // [Pa]
-  constexpr double air_density = 1.225;    // [kg/m^3]
-  constexpr double sound_speed = 340.;     // of air [m/s]
+  constexpr double sound_speed = 340.; // of air [m/s]
 
   /// First intersection of the ray along -x from @p begin with the surface, by
   /// sphere tracing; nothing if the ray leaves the box.

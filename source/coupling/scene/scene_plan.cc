@@ -199,7 +199,7 @@ namespace
       scene.accuracy.name == SceneParameters::accuracies.back().name;
     return {"resolution",
             "cells of " + brief(1e3 * layout.cell_size()) + " mm at the skin",
-            "number of cells in the positive phase at the body",
+            "number of cells in the positive phase of the wave at the body",
             "-",
             layout.cells_per_phase() * phase / layout.positive_phase,
             std::min(least_cells, scene.accuracy.cells_per_phase),
@@ -277,8 +277,11 @@ namespace
                                           const SceneLayout &layout,
                                           const std::string &folder)
   {
-    const double duration =
+    double duration =
       layout.probe ? stage_result(folder, "probe_1_duration") : unknown;
+    // Reflections lengthen the phase at the probe, not that of the front.
+    if (known_phase(scene, layout) < duration)
+      duration = known_phase(scene, layout);
     std::vector<Assumption> items = items_of_charge(scene, layout);
     for (Assumption &item : items)
       if (item.name == "resolution")

@@ -418,7 +418,7 @@ void SceneRun::execute()
 void SceneRun::run_all()
 {
   scene_->print(false);
-  warn_of_entries(*scene_, command_, prm_, collective_);
+  warn_of_entries(*scene_, command_, prm_, collective_, true);
   std::vector<std::string> warnings = Log::instance().warnings();
   if (!command_.resume || !has_records())
     try

@@ -175,9 +175,8 @@ namespace
       return all;
     }
 
-    /// Shows which entries of the user have no effect on this scene, a
-    /// reflection from a side that is too near, and gauges in coarse cells.
-    void warn() const
+    /// See warn_of_entries().
+    void warn(const bool about_to_run) const
     {
       std::vector<Assignment> own;
       std::vector<std::string> of_biomechanics;
@@ -204,8 +203,10 @@ namespace
       const std::vector<TaskText> all = texts();
       for (const TaskText &text : all)
         warnings.insert(warnings.end(), text.unused.begin(), text.unused.end());
-      for (const std::string &warning : {reflection_warning(scene_, all[1]),
-                                         gauge_cells_warning(scene_, all[1])})
+      std::vector<std::string> of_blast = {gauge_cells_warning(scene_, all[1])};
+      if (!about_to_run)
+        of_blast.push_back(reflection_warning(scene_, all[1]));
+      for (const std::string &warning : of_blast)
         if (!warning.empty())
           warnings.push_back(warning);
       for (const std::string &warning : warnings)
@@ -398,8 +399,9 @@ std::vector<ChangedEntry> stage_changes(const PlannedScene &scene,
 void warn_of_entries(const PlannedScene &scene,
                      const io::CommandLine &command,
                      const ParameterHandler &prm,
-                     Collective &collective)
+                     Collective &collective,
+                     const bool about_to_run)
 {
-  Maker(scene, command, prm, collective).warn();
+  Maker(scene, command, prm, collective).warn(about_to_run);
 }
 } // namespace contrecoup::coupling

@@ -5,6 +5,7 @@
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/geometry/body/body_layer.h>
 #include <contrecoup/geometry/body/image_body.h>
+#include <contrecoup/geometry/body/simple_bodies.h>
 #include <contrecoup/geometry/image/head_segmentation.h>
 #include <contrecoup/geometry/image/label_grid.h>
 #include <contrecoup/geometry/image/part_thickness.h>
@@ -61,17 +62,9 @@ namespace
   std::vector<BodyLayer> layers_of_shape(ParameterHandler &prm)
   {
     const Section section(prm, "Shape");
-    std::vector<double> thickness = read_list(prm, "Layers");
-    const std::vector<double> usual = usual_layers(prm.get("Shape"));
-    if (thickness.empty())
-      thickness = usual;
-    std::vector<BodyLayer> layers;
-    for (std::size_t i = 0; i < thickness.size(); ++i)
-      layers.push_back({"layer " + std::to_string(i + 1),
-                        thickness[i],
-                        "Body/Shape/Layers",
-                        i < usual.size() ? usual[i] : 0.});
-    return layers;
+    SimpleBody body;
+    body.parse_parameters(prm);
+    return body.layers();
   }
 
 

@@ -68,12 +68,6 @@ namespace
 } // namespace
 
 
-const std::vector<double> &usual_layers(const std::string &shape)
-{
-  return default_of(shape).layers;
-}
-
-
 void SimpleBody::declare_parameters(dealii::ParameterHandler &prm)
 {
   declare_selection(prm,
@@ -168,14 +162,26 @@ BodyPointer SimpleBody::create() const
   std::vector<ShapeBody::PartShape> part_shapes{
     {{"core: " + name_of(tissues_[0]), tissues_[0]}, shape}};
   double depth = 0.;
-  for (std::size_t i = 0; i < layers_.size(); ++i)
+  for (const BodyLayer &layer : layers())
   {
-    depth += layers_[i];
-    part_shapes.push_back(
-      {{"layer " + std::to_string(i + 1) + ": " + name_of(tissues_[i + 1]),
-        tissues_[i + 1]},
-       std::make_shared<Offset>(shape, depth)});
+    depth += layer.thickness;
+    part_shapes.push_back({{layer.part, tissues_[part_shapes.size()]},
+                           std::make_shared<Offset>(shape, depth)});
   }
   return std::make_shared<ShapeBody>(part_shapes.back().shape, part_shapes);
+}
+
+
+std::vector<BodyLayer> SimpleBody::layers() const
+{
+  const std::vector<double> &usual = default_of(shape_).layers;
+  std::vector<BodyLayer> layers;
+  for (std::size_t i = 0; i < layers_.size(); ++i)
+    layers.push_back(
+      {"layer " + std::to_string(i + 1) + ": " + name_of(tissues_[i + 1]),
+       layers_[i],
+       "Body/Shape/Layers",
+       i < usual.size() ? usual[i] : 0.});
+  return layers;
 }
 } // namespace contrecoup

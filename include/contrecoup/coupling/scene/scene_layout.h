@@ -35,7 +35,7 @@ struct SceneLayout
    * so large that the time to first reflection from an open side (taken as a
    * mirror) at body and probe, and at gauges of the user within the domain, is
    * later than the end time. The front is that of
-   * ExpectedBlast in free air of 101325 Pa and 1.225 kg/m^3.
+   * ExpectedBlast in free air.
    * @param surface surface of the body
    * @param unturned box of the same body before it was turned; that of
    * @p surface by default
@@ -50,6 +50,9 @@ struct SceneLayout
               const Shape &surface,
               const std::optional<dealii::BoundingBox<3>> &unturned = {},
               const OwnGrid &own = {});
+
+  static constexpr double air_pressure = 101325.; ///< [Pa]
+  static constexpr double air_density = 1.225;    ///< [kg/m^3]
 
   /// Most refinement levels beyond those of the preset.
   static constexpr unsigned int max_extra_levels = 2;

@@ -23,9 +23,6 @@ struct BodyLayer
 /// hexahedra of one's own are as they are.
 std::vector<BodyLayer> read_layers(dealii::ParameterHandler &prm);
 
-/// Usual thickness of the layers of a shape of SimpleBody [m].
-const std::vector<double> &usual_layers(const std::string &shape);
-
 /**
  * Remarks on layers that are thinner than an element, which have holes in the
  * mesh: a warning of those with fewer elements across than they have usually,

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <contrecoup/geometry/body/body.h>
+#include <contrecoup/geometry/body/body_layer.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -30,6 +31,9 @@ public:
   /// Creates the body. Parts are named core, layer 1, layer 2, ... from the
   /// inside, each followed by its tissue.
   BodyPointer create() const;
+
+  /// The layers around the core, named like their parts, from the inside.
+  std::vector<BodyLayer> layers() const;
 
 private:
   std::string shape_;
