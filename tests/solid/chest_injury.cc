@@ -58,6 +58,8 @@ TEST(ChestInjury, OfFriedlandersWaveIsKnownWheneverItArrives)
     EXPECT_DOUBLE_EQ(found.at("injury_chest_pressure_peak"), 200e3);
     EXPECT_NEAR(found.at("injury_lung_exposure"), 200. / 941., 1e-3);
     EXPECT_NEAR(found.at("injury_chest_wall_velocity_mesh"), 2.25, 1e-12);
+    EXPECT_NE(chest.measures().back().limits.find("; for a body mass of 70 kg"),
+              std::string::npos);
   }
 }
 

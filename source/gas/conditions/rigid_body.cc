@@ -61,11 +61,14 @@ namespace
   }
 
 
-  BodyPointer read_body(ParameterHandler &prm)
+  BodyPointer read_body(ParameterHandler &prm, double &phantom_mass)
   {
     const Section section(prm, "Body");
     BodyDescription description;
     description.parse_parameters(prm);
+    if (description.kind() == "phantom")
+      phantom_mass =
+        std::pow(read_double(prm, "Scale"), 3) * description.reference_mass();
     return description.create();
   }
 } // namespace
@@ -133,9 +136,10 @@ void RigidBody::parse_parameters(ParameterHandler &prm)
       shape_ = read_half_space(prm);
   }
   landmarks_.clear();
+  phantom_mass_ = std::numeric_limits<double>::quiet_NaN();
   if (kind == "body")
   {
-    const BodyPointer body = read_body(prm);
+    const BodyPointer body = read_body(prm, phantom_mass_);
     log_warnings(*body);
     shape_ = body->surface();
     landmarks_ = body->landmarks();

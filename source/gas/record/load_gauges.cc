@@ -15,6 +15,7 @@
 #include <contrecoup/io/output/history_reader.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <iomanip>
 #include <limits>
@@ -134,6 +135,10 @@ void LoadGauges::parse_parameters(dealii::ParameterHandler &prm,
   places_.clear();
   radius_ = read_double(prm, "Gauge radius");
   body_mass_ = read_double(prm, "Body mass");
+  if (std::abs(body.phantom_mass() / body_mass_ - 1.) > 0.1)
+    log_line("WARNING: Loads/Body mass = " + brief(body_mass_, 3) +
+             " kg: lungs are judged as those of such a person, and the " +
+             "phantom has " + brief(body.phantom_mass(), 3) + " kg");
   // The middle of a body that was scanned is not exactly a plane of symmetry.
   const double tolerance = 0.25 * radius_;
   for (const Landmark &landmark : body.landmarks())

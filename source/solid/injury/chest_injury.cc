@@ -3,6 +3,7 @@
 
 #include <contrecoup/base/parameters/parameters.h>
 #include <contrecoup/base/parameters/selecting.h>
+#include <contrecoup/base/system/text.h>
 #include <contrecoup/numerics/injury/chest_wall.h>
 #include <contrecoup/numerics/injury/load_injury.h>
 #include <contrecoup/solid/injury/chest_injury.h>
@@ -44,7 +45,7 @@ void ChestInjury::declare_parameters(dealii::ParameterHandler &prm)
                  1.,
                  500.,
                  "kg",
-                 "For injury limits that scale with body mass.");
+                 "Mass of the person, with which limits of lungs scale.");
 }
 
 
@@ -110,7 +111,10 @@ void ChestInjury::add_load(std::vector<InjuryMeasure> &list) const
       thorax_injury_index(velocity),
       injury.is_velocity_cut);
   if (injury.pulse.duration > 0.)
+  {
     add("injury_lung_exposure", injury.lung_exposure, injury.pulse.is_cut);
+    list.back().limits += "; for a body mass of " + brief(mass_, 3) + " kg";
+  }
 }
 
 

@@ -14,6 +14,7 @@
 #include <contrecoup/solid/injury/injury_report.h>
 #include <contrecoup/solid/motion/mean_motion.h>
 
+#include <cmath>
 #include <filesystem>
 #include <limits>
 #include <sstream>
@@ -115,6 +116,25 @@ void InjuryReport<Real>::reinit(const SolidBody<Real> &body)
   find_skull(body);
   find_chest(mesh, body.communicator());
   record_.last_time = body.time();
+}
+
+
+template <typename Real>
+std::vector<Assumption>
+InjuryReport<Real>::assumptions(const SolidBody<Real> &body) const
+{
+  std::vector<Assumption> items = own_.assumptions();
+  if (active_ && chest_.reports_load() && has_lung(body.mesh()))
+    items.push_back(
+      {"body_mass",
+       "lungs are those of a person of " + brief(chest_.body_mass(), 3) + " kg",
+       "relative difference of the body's mass",
+       "-",
+       std::abs(body.mass() / chest_.body_mass() - 1.),
+       0.1,
+       false,
+       "Injury/Body mass"});
+  return items;
 }
 
 

@@ -116,7 +116,7 @@ std::vector<Assumption> SolidSimulation<Real>::plan()
                      std::numeric_limits<double>::quiet_NaN(),
                      false,
                      "Injury/Active"});
-  for (const Assumption &item : injury_.own_thresholds().assumptions())
+  for (const Assumption &item : injury_.assumptions(body_))
     items.push_back(item);
   return items;
 }

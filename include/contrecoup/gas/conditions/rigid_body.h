@@ -12,6 +12,7 @@
 #include <boost/functional/hash.hpp>
 
 #include <array>
+#include <limits>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -40,6 +41,12 @@ public:
   bool is_required() const
   {
     return is_required_;
+  }
+
+  /// Mass of the phantom that the body is [kg]; NaN for other bodies.
+  double phantom_mass() const
+  {
+    return phantom_mass_;
   }
 
   /// Whether there is no body.
@@ -140,6 +147,7 @@ private:
 
   ShapePointer shape_;
   std::vector<Landmark> landmarks_;
+  double phantom_mass_ = std::numeric_limits<double>::quiet_NaN(); ///< [kg]
   Treatment treatment_ = Treatment::embedded;
   unsigned int levels_ = 0;
   bool is_required_ = true;

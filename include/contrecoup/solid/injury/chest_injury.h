@@ -44,6 +44,12 @@ public:
     return reports_load_;
   }
 
+  /// Mass of the person, with which limits of lungs scale [kg].
+  double body_mass() const
+  {
+    return mass_;
+  }
+
   /// Names of the measures.
   std::vector<std::string> measure_names() const;
 
