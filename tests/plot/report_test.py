@@ -752,7 +752,7 @@ class ReportTest(unittest.TestCase):
         change_json(folder, "scene.json", lambda facts: facts.update(
             plan=rows + facts.get("plan", [])))
         text = text_of(Made(folder).page)
-        self.expect(text, "above the ground. The domain has a wall at x = 0.64 m, "
+        self.expect(text, "above the ground, detonates", "The domain has a wall at x = 0.64 m, "
                     "0.449 m from the body.", "The blast comes back from the wall "
                     "at x = 0.64 m, 0.449 m from the body: verdicts on life and "
                     "lungs", "side of the domain wall at x = 0.64 m",

@@ -39,7 +39,7 @@ class EnergyAudit:
     def high_tissues(self):
         """Tissues beyond the limit, in words; "" for none."""
         return page.joined(
-            f"{page.percent(part)} in {tissue}" for tissue, part in sorted(
+            f"{page.percent(part, 3)} in {tissue}" for tissue, part in sorted(
                 self.tissues.items(), key=lambda item: -item[1])
             if part > self.largest_hourglass)
 
@@ -56,7 +56,7 @@ class EnergyAudit:
 
     def _hourglass_words(self):
         tissues = self.high_tissues()
-        return (f"{page.percent(self.hourglass)} of the largest internal "
+        return (f"{page.percent(self.hourglass, 3)} of the largest internal "
                 "energy of a tissue was stored in hourglass modes (limit "
                 f"{_limit(self.largest_hourglass)})"
                 + (f", {tissues}: stresses there are less certain"

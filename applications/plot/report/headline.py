@@ -134,7 +134,7 @@ def _opening(scene):
     if height is None and place is not None:
         height = float(place[2])
     if height is not None:
-        where += f", {page.given(height, 'm')} above the ground"
+        charge += f", {page.given(height, 'm')} above the ground,"
     walls = reflections.walls(scene)
     return f"{charge} detonates {where}." + (
         f" The domain has a {' and a '.join(walls)}." if walls else "")
@@ -457,7 +457,7 @@ def _model_bias(scene):
              f"{'below' if bias < 0. else 'above'}"
              for name, bias in _known_biases(scene).items()]
     if parts:
-        return [f"In fine cells, too, the model gives this explosive "
+        return [f"In fine cells the model gives this explosive "
                 f"{page.joined(parts)} the tables in free air at this "
                 "distance."]
     return [f"How far the model differs from the tables in fine cells is "

@@ -146,11 +146,11 @@ def _draw(scene):
     has_ground = not _ground_is_late(scene)
     bottom = 0. if has_ground else corners[:, 1].min() - 0.3
     top = corners[:, 1].max() + 0.5
+    left, right = corners[:, 0].min() - 0.4, corners[:, 0].max() + 0.5
     if has_ground:
         # As high as the words on it need.
-        bottom = -0.08 * top
+        bottom = -max(0.08 * top, 0.045 * (right - left))
         axis.axhspan(bottom, 0., color=SOLID, linewidth=0.)
-    left, right = corners[:, 0].min() - 0.4, corners[:, 0].max() + 0.5
     side = max(0., 0.8 * (top - bottom) - (right - left)) / 2.
     axis.set_xlim(left - side, right + side)
     axis.set_ylim(bottom, top)
@@ -246,15 +246,24 @@ def _draw_charge(scene, axis, away, has_ground):
     height = page.given(float(charge[2]), "m")
     axis.add_patch(Circle((charge[0], charge[2]), radius, zorder=4,
                           color=style.COLOURS[1]))
-    axis.annotate(
+    _widen(axis, axis.annotate(
         f"{page.given(scene.charge_mass(), 'kg')} {scene.explosive_name()}"
         + ("" if has_ground else f"\n{height} above the ground"),
-        (charge[0], charge[2] + radius), (6. * away, 6.), va="bottom", **sides)
+        (charge[0], charge[2] + radius), (6. * away, 6.), va="bottom", **sides))
     if has_ground:
         axis.annotate("", (charge[0], 0.), (charge[0], charge[2]),
                       arrowprops={"arrowstyle": "<->", "color": style.GREY})
         axis.annotate(height, (charge[0], 0.5 * charge[2]), (5. * away, 0.),
                       va="center", color=style.GREY, **sides)
+
+
+def _widen(axis, label):
+    """Makes room for a label at the side."""
+    for _ in range(4):  # a wider picture has a smaller scale
+        axis.apply_aspect()
+        box = label.get_window_extent().transformed(axis.transData.inverted())
+        left, right = axis.get_xlim()
+        axis.set_xlim(min(left, box.x0), max(right, box.x1))
 
 
 def _charge_radius(scene):

@@ -398,7 +398,7 @@ def check_headline(page, files):
                   flags=re.I)
     number, rows = report_reader.NUMBER, expected_injuries(files)
     wanted = [
-        (rf"({number} \w*) of  ?detonates", files.scene["charge_mass"]),
+        (rf"({number} \w*) of  ?(?=,|detonates)", files.scene["charge_mass"]),
         (rf"detonates ({number} m) (?:in front|to|behind|from|beyond)",
          files.scene["distance"]),
         (rf", ({number} m) above the ground", files.scene["height"])]
