@@ -81,10 +81,11 @@ TEST(BodyLayer, WarnsOfElementsThatTheUserMakesLarge)
 // Thicker than the usual one in the same elements is no reason to warn.
 TEST(BodyLayer, WarnsOfFewerElementsAcrossThanUsual)
 {
-  for (const auto &[layers, is_warned] : {std::pair{"0.003", false},
-                                          std::pair{"0.0025", false},
-                                          std::pair{"0.0024", true},
-                                          std::pair{"0.05,0.05,0.003", true}})
+  for (const auto &[layers, is_warned] :
+       {std::pair{"0.003,0.0065,0.005", false},
+        std::pair{"0.0025,0.0065,0.005", false},
+        std::pair{"0.0024,0.0065,0.005", true},
+        std::pair{"0.05,0.05,0.003", true}})
   {
     const auto found =
       thin_layer_lines(layers_of({"Kind=shape",

@@ -329,7 +329,7 @@ class ReportTest(unittest.TestCase):
             "height above ground 1.27 m", "8.25 mm", "186.1 kg", "−22.0 %",
             "peak 900 kPa, impulse 342 Pa s",
             "268 kPa", "314 kPa", "−15 %", "0.055 %", "1 min 15 s",
-            "1 min 01 s", "2.2 GiB", "5.5 MiB", "mpirun -np 2 scene tiny.prm",
+            "1 min 02 s", "2.2 GiB", "5.5 MiB", "mpirun -np 2 scene tiny.prm",
             "abc123")
 
     def test_injury_of_the_skin(self):

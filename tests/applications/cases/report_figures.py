@@ -402,7 +402,7 @@ def check_headline(page, files):
         (rf"detonates ({number} m) (?:in front|to|behind|from|beyond)",
          files.scene["distance"]),
         (rf", ({number} m) above the ground", files.scene["height"])]
-    wanted += [(rf" ({number} {unit})(?: and|,| high)", value) for unit, value
+    wanted += [(rf" ({number} {unit})(?: and|,|\.| high)", value) for unit, value
                in files.person().items()]
     chances = [value[0] for value in rows.values()
                if value[1].endswith("ear") or value[1] == "lung_lethality"]
@@ -952,6 +952,6 @@ def _require_duration(shown, seconds, what):
         return require_same(shown, seconds, what)
     hours, minutes, rest = (int(part or 0) for part in match.groups())
     found = 3600 * hours + 60 * minutes + rest
-    require(found <= seconds < found + (60 if hours else 1),
+    require(found <= seconds + 0.5 < found + (60 if hours else 1),
             f"{what}: {shown} for {seconds} s")
     return None
