@@ -244,6 +244,22 @@ TEST(Application, SummaryIsOfAllStarts)
   EXPECT_NE(summary(folder)["assumptions"]["weight"]["estimate"], 1.);
 }
 
+// What the plan warns of and the run refutes is no warning of the finished run.
+TEST(Application, SummaryHasNoWarningThatDidNotComeTrue)
+{
+  const std::string folder = local("refuted");
+  remove(folder);
+  const std::string mishap = "Mishap/Kind=far away";
+  run_scene(folder, {"--set", "Time/Steps in this run=17", "--set", mishap});
+  EXPECT_TRUE(!is_first_rank() || summary(folder)["warnings"].size() == 1);
+  run_scene(folder, {"--resume", "--set", mishap});
+  const Json json = summary(folder);
+  EXPECT_EQ(json["assumptions"]["weight"]["holds"], true);
+  EXPECT_TRUE(json["warnings"].empty()) << json["warnings"];
+  EXPECT_NE(content(folder + "/log.txt").find("did not come true"),
+            std::string::npos);
+}
+
 TEST(Application, WallTimeStopsARun)
 {
   const std::string folder = local("short_of_time");

@@ -224,6 +224,31 @@ TEST(Plan, WarnsOnceOfAnItem)
   EXPECT_TRUE(warns(audit_lines({item(1., false)}, {item(3., false)})));
 }
 
+// A warning that has not come true is none of the run.
+TEST(Plan, ReplacesEstimatesByMeasurements)
+{
+  const std::vector<Assumption> plan{item(3., false)};
+  const std::string begin = "gravity: its speed is ", end = "; see A/B";
+  const std::string planned =
+    begin + "estimated at 3 m/s, allowed is at most 2 m/s" + end;
+  const std::string found =
+    begin + "measured at 2.5 m/s, allowed is at most 2 m/s" + end;
+  EXPECT_EQ(plan_lines(plan).back(), "WARNING: " + planned);
+  using Lines = std::vector<std::string>;
+  const auto replaced = [&](const double measured, Lines warnings) {
+    replace_estimates(plan, {item(measured, false)}, warnings);
+    return warnings;
+  };
+  EXPECT_EQ(replaced(1., {"other", planned}), Lines{"other"});
+  EXPECT_EQ(replaced(2.5, {planned, "other"}), (Lines{found, "other"}));
+  EXPECT_EQ(replaced(2.5, {planned, found}), Lines{found});
+  for (const double unmeasured : {3., std::nan("")})
+    EXPECT_EQ(replaced(unmeasured, {planned}), Lines{planned});
+  Lines alone{planned};
+  replace_estimates(plan, {}, alone);
+  EXPECT_EQ(alone, Lines{planned});
+}
+
 TEST(Plan, NamesEstimateMeasurementAndEntry)
 {
   const auto lines = audit_lines({item(1.25, false)}, {item(7.5, false)});

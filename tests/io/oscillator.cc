@@ -66,7 +66,8 @@ namespace io
                        "not a number",
                        "no progress",
                        "deal.II",
-                       "warning"},
+                       "warning",
+                       "far away"},
                       "What goes wrong.");
     declare_integer(prm,
                     "Step",
@@ -236,6 +237,8 @@ namespace io
     weight.quantity = "position of the mass";
     weight.unit = "m";
     weight.value = position_;
+    if (mishap_ == "far away")
+      weight.limit = 0.999;
     return {weight};
   }
 

@@ -350,6 +350,19 @@ void print_audit(const PlannedScene &scene,
 }
 
 
+void replace_estimates(const PlannedScene &scene,
+                       const std::vector<SceneTask> &tasks,
+                       const std::string &folder,
+                       std::vector<std::string> &warnings)
+{
+  io::replace_estimates(
+    named(whole_plan(scene, folder), tasks),
+    named(scene_audit(scene.parameters(), scene.layout(), scene.plan(), folder),
+          tasks),
+    warnings);
+}
+
+
 void write_scene(const PlannedScene &scene,
                  const std::vector<SceneTask> &tasks,
                  const std::vector<std::string> &reused,

@@ -438,7 +438,11 @@ void SceneRun::run_all()
     if (finished)
       print_audit(*scene_, tasks_, command_.output_folder);
     for (const std::string &warning : Log::instance().warnings())
-      warnings.push_back(warning);
+      if (std::find(warnings.begin(), warnings.end(), warning) ==
+          warnings.end())
+        warnings.push_back(warning);
+    if (finished)
+      replace_estimates(*scene_, tasks_, command_.output_folder, warnings);
     write_scene(
       *scene_,
       tasks_,

@@ -323,6 +323,8 @@ namespace io
     for (const std::string &line : audit_lines(plan_, summary.audit))
       log_line(line);
     summary.starts = folder_.starts(); // with the warnings of the audit
+    if (status == "finished")
+      replace_estimates(plan_, summary.audit, summary.starts.warnings);
     folder_.write_text("summary.json", to_text(summary));
     show_line("results in " + folder_.path());
     collective_.run([]() { Log::instance().check(); });

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/base/system/log.h>
+#include <contrecoup/base/system/log_words.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/io/run/plan_table.h>
 
@@ -72,11 +74,26 @@ namespace io
               told(cost.output, bytes(cost.output))};
     }
 
+    const std::string mark = "WARNING: ", estimated = "estimated at",
+                      measured = "measured at";
+
+    /// Beginning of what is said of an item, @p kind: estimated or measured.
+    std::string told(const Assumption &item, const std::string &kind)
+    {
+      return item.name + ": " + item.quantity + " is " + kind + " ";
+    }
+
+    std::string sentence(const Assumption &item, const std::string &kind)
+    {
+      return told(item, kind) + number(item.value, item.unit) +
+             ", allowed is " + limit(item);
+    }
+
+    /// Without "WARNING: ".
     std::string warning(const Assumption &item, const std::string &kind)
     {
-      return "WARNING: " + item.name + ": " + item.quantity + " is " + kind +
-             " " + number(item.value, item.unit) + ", allowed is " +
-             limit(item) + (item.entry.empty() ? "" : "; see " + item.entry);
+      return sentence(item, kind) +
+             (item.entry.empty() ? "" : "; see " + item.entry);
     }
   } // namespace
 
@@ -151,7 +168,7 @@ namespace io
     std::vector<std::string> lines = aligned(rows);
     for (const Assumption &item : plan)
       if (item.fails() && std::isfinite(item.value))
-        lines.push_back(warning(item, "estimated at"));
+        lines.push_back(mark + warning(item, estimated));
     return lines;
   }
 
@@ -184,9 +201,40 @@ namespace io
       if (item.fails() && (planned == nullptr || !planned->fails() ||
                            std::abs(item.value - item.limit) >
                              far_worse * std::abs(planned->value - item.limit)))
-        lines.push_back(warning(item, "measured at"));
+        lines.push_back(mark + warning(item, measured));
     }
     return lines;
+  }
+
+  void replace_estimates(const std::vector<Assumption> &plan,
+                         const std::vector<Assumption> &audit,
+                         std::vector<std::string> &warnings)
+  {
+    for (const Assumption &item : plan)
+    {
+      const Assumption *found = find_assumption(audit, item.name);
+      // What the run cannot measure has its estimate in the audit.
+      if (found == nullptr || !std::isfinite(found->value) ||
+          std::isnan(found->limit) ||
+          number(found->value, found->unit) == number(item.value, item.unit))
+        continue;
+      const std::string begin = LogWords::of(told(item, estimated));
+      const auto old = std::find_if(
+        warnings.begin(), warnings.end(), [&](const std::string &text) {
+          return begins_with(text, begin);
+        });
+      if (old == warnings.end())
+        continue;
+      const std::string now = LogWords::of(warning(*found, measured));
+      if (!found->fails())
+        show_line(sentence(*found, measured) +
+                  ": what the plan warned of did not come true");
+      if (found->fails() &&
+          std::find(warnings.begin(), warnings.end(), now) == warnings.end())
+        *old = now;
+      else
+        warnings.erase(old);
+    }
   }
 } // namespace io
 } // namespace contrecoup

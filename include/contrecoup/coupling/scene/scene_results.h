@@ -16,6 +16,13 @@ void print_audit(const PlannedScene &scene,
                  const std::vector<SceneTask> &tasks,
                  const std::string &folder);
 
+/// In @p warnings of a finished scene, replaces estimates that the scene has
+/// measured otherwise, see io::replace_estimates().
+void replace_estimates(const PlannedScene &scene,
+                       const std::vector<SceneTask> &tasks,
+                       const std::string &folder,
+                       std::vector<std::string> &warnings);
+
 /**
  * Writes scene.json: the scene, its tasks, plan and audit, as far as known.
  * @param reused names of the tasks whose results are reused

@@ -23,6 +23,13 @@ namespace io
   std::vector<std::string> audit_lines(const std::vector<Assumption> &plan,
                                        const std::vector<Assumption> &audit);
 
+  /// Replaces in @p warnings, without "WARNING: ", those of estimates that the
+  /// run has measured otherwise: by the warning of the measurement, or, where
+  /// that holds, by nothing, which the log says. For finished runs.
+  void replace_estimates(const std::vector<Assumption> &plan,
+                         const std::vector<Assumption> &audit,
+                         std::vector<std::string> &warnings);
+
   /// Sums for runs one after the other, and the largest memory. Time and output
   /// are 0, which is unknown, where those of a run are.
   CostEstimate
