@@ -31,8 +31,8 @@ std::vector<ChangedEntry> stage_changes(const PlannedScene &scene,
                                         Collective &collective);
 
 /// Shows which entries of the user have no effect on such a scene, gauges in
-/// coarse cells and, unless the scene is @p about_to_run, whose blast does so, a
-/// reflection from a side of the user's domain that is too near.
+/// coarse cells and, unless the scene is @p about_to_run, whose blast does so,
+/// a reflection from a side of the user's domain that is too near.
 void warn_of_entries(const PlannedScene &scene,
                      const io::CommandLine &command,
                      const dealii::ParameterHandler &prm,
