@@ -567,6 +567,22 @@ def without_brain():
            "none: no region gets measures of its injury")
 
 
+def other_masses():
+    """Lungs that are judged by another mass than that of the body."""
+    yield ("mass of a body of lung", "biomechanics",
+           shipped(BAR, entry("Injury/Active", "true"),
+                   entry("Injury/Chest", "0, 0, 0"),
+                   entry("Mesh/Tissue", "lung")),
+           "WARNING: body_mass: relative difference of the body's mass is "
+           "estimated at ")
+    yield ("mass of a phantom in the gas", "blast",
+           shipped(HUMAN, entry("First stage/Kind", "none"),
+                   entry("Body/Phantom/Stature", "1.55"),
+                   entry("Body/Phantom/Mass", "50")),
+           "WARNING: Loads/Body mass = 78.5 kg: lungs are judged as those of "
+           "such a person, and the phantom has 50 kg")
+
+
 def unused():
     """Entries that the other choices leave without effect."""
     not_used = " is set but not used: "
@@ -845,6 +861,7 @@ def main(programs, repository):
                               (near_sides, judge_acceptance),
                               (thin_layers, judge_acceptance),
                               (without_brain, judge_acceptance),
+                              (other_masses, judge_acceptance),
                               (own_meshes, judge_acceptance),
                               (warned_heads, judge_acceptance)]:
         of_application = {}
