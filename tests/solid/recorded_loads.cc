@@ -113,6 +113,31 @@ TEST(RecordedLoads, ImpulseIsKept)
 }
 
 
+// The wave pushes with 1 N s, and what comes back from a wall takes 0.99 of
+// them: 0.95 of the push arrive, of what is left at the end minus four times.
+TEST(RecordedLoads, ImpulseThatIsPushedBackIsKept)
+{
+  const std::string file = "recorded_back.h5";
+  {
+    io::LoadFile loads(file);
+    loads.create(
+      {{0., 0., 0., 1., 0., 0.}, {-1., 0., 0., 1., 0., 0.}, {1., 2.}, {}},
+      {{"application", "test"}});
+    loads.append({1e-3, 2e-3}, {1000.F, 0.F, 0.F, 495.F});
+  }
+  const auto loads = read_loads(file);
+  loads->reinit({{0., 0., 0.}, {1., 0., 0.}},
+                {Point<3>(-0.95, 0.5, 0.), Point<3>(2., 0., 0.)},
+                MPI_COMM_SELF);
+  EXPECT_NEAR(loads->correction(), 1. / 0.95, 1e-12);
+  EXPECT_NEAR(audited(*loads, "loads_recorded_impulse_x"), 0.01, 1e-12);
+  for (const std::string where : {"recorded", "mapped"})
+    EXPECT_NEAR(
+      audited(*loads, "loads_largest_" + where + "_impulse"), 1., 1e-12);
+  std::filesystem::remove(file);
+}
+
+
 // What the pressures push with, without directions, is 0.72 N s: a third of it
 // arrives where 0.4 of the first facet is loaded and the second is away.
 TEST(RecordedLoads, LoadsThatHardlyArriveAreRefused)

@@ -191,8 +191,8 @@ def _checks(scene):
                 load_impulses.largest_correction(scene) else ""))
         items.append(
             f"Impulse: {page.quantity(recorded, 'N s')} recorded on the whole "
-            f"body, {page.quantity(mapped, 'N s')} along it on the elements "
-            f"({page.number(100. * change, 2)} %){mended}.")
+            f"body when it is largest, {page.quantity(mapped, 'N s')} along it "
+            f"on the elements ({page.number(100. * change, 2)} %){mended}.")
     loss = scene.blast.found("checks", "loads_sampled_peak_loss")
     if loss is not None:
         items.append("Recording: samples miss at most "

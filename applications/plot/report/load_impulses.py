@@ -2,19 +2,14 @@
 # Copyright (C) 2026 by the Contrecoup authors
 """The impulse of the recorded loads, and what the elements get of it."""
 
-import math
-import operator
-
 
 def along(scene):
-    """The recorded impulse of the whole body and, along its direction, that on
-    the elements [N s]; None without loads."""
-    recorded, mapped = ([scene.biomechanics.found(
-        "checks", f"loads_{name}_impulse_{axis}") or 0. for axis in "xyz"]
+    """The recorded impulse of the whole body when it is largest and, along its
+    direction, that on the elements [N s]; None without loads."""
+    recorded, mapped = (scene.biomechanics.found(
+        "checks", f"loads_largest_{name}_impulse")
                         for name in ("recorded", "mapped"))
-    size = math.hypot(*recorded)
-    return (size, sum(map(operator.mul, recorded, mapped)) / size) \
-        if size else None
+    return (recorded, mapped or 0.) if recorded else None
 
 
 def largest_correction(scene):

@@ -43,8 +43,9 @@ namespace
                  "Keep impulse",
                  "true",
                  "Whether one factor on all pressures makes the impulse, "
-                 "along the direction of the recorded impulse, equal to the "
-                 "recorded one.");
+                 "along the direction of the recorded impulse and until the "
+                 "time when that is largest, equal to the recorded one. Later "
+                 "impulses may cancel, as by suction or a wall behind.");
     declare_double(
       prm,
       "Largest correction",
@@ -294,28 +295,47 @@ std::string RecordedLoads::warning(const double end_time) const
 void RecordedLoads::measure_impulses()
 {
   const std::vector<double> &ends = reader_->times();
+  const std::vector<Tensor<1, 3>> recorded_areas = this->recorded_areas();
+  std::vector<Tensor<1, 3>> mapped_areas(reader_->n_facets());
+  for (std::size_t i = 0; i < source_.size(); ++i)
+    if (source_[i] != no_index)
+      mapped_areas[source_[i]] += areas_[i];
   std::vector<double> impulse(reader_->n_facets(), 0.); // per area
+  // Of each sample, on the recorded surface and on that of this rank.
+  std::vector<Tensor<1, 3>> recorded(ends.size()), mapped(ends.size());
   for (std::size_t first = 0; first < ends.size(); first += samples_at_once)
   {
     const std::size_t count = std::min(samples_at_once, ends.size() - first);
     const std::vector<float> samples = reader_->read(first, count);
-    for (std::size_t t = 0; t < count; ++t)
-    {
-      const std::size_t sample = first + t;
-      const double step = ends[sample] - (sample == 0 ? 0. : ends[sample - 1]);
-      for (std::size_t i = 0; i < impulse.size(); ++i)
-        impulse[i] += step * double(samples[i * count + t]);
-    }
+    for (std::size_t i = 0; i < impulse.size(); ++i)
+      for (std::size_t t = 0; t < count; ++t)
+      {
+        const std::size_t sample = first + t;
+        const double part =
+          (ends[sample] - (sample == 0 ? 0. : ends[sample - 1])) *
+          double(samples[i * count + t]);
+        impulse[i] += part;
+        recorded[sample] -= part * recorded_areas[i];
+        mapped[sample] -= part * mapped_areas[i];
+      }
   }
-  sum_impulses(impulse);
-  const double ratio = mapped_impulse_ * recorded_impulse_ /
-                       std::max(recorded_impulse_.norm_square(), 1e-300);
+  require_arrival(impulse);
+  sum_impulses(recorded, mapped);
+  choose_factor();
+}
+
+
+void RecordedLoads::choose_factor()
+{
+  const double ratio =
+    largest_mapped_impulse_ / std::max(largest_recorded_impulse_, 1e-300);
   const bool keeps_impulse = largest_correction_ > 0.;
   const bool corrects = std::abs(ratio - 1.) < largest_correction_;
   factor_ = corrects ? 1. / ratio : 1.;
   log_line((keeps_impulse && !corrects ? "WARNING: " : "") +
            std::string("Loads/Recorded: the loads on this body have ") +
-           brief(ratio) + " times the recorded impulse; pressures are " +
+           brief(ratio) +
+           " times the recorded impulse at its largest; pressures are " +
            (factor_ == 1. ? "as recorded"
                           : "multiplied by " + brief(factor_) +
                               ", which makes the impulses equal") +
@@ -326,29 +346,60 @@ void RecordedLoads::measure_impulses()
 }
 
 
-void RecordedLoads::sum_impulses(const std::vector<double> &impulse)
+std::vector<Tensor<1, 3>> RecordedLoads::recorded_areas() const
 {
   const io::LoadFile::Facets &facets = reader_->facets();
+  std::vector<Tensor<1, 3>> areas;
+  for (std::size_t i = 0; i < reader_->n_facets(); ++i)
+  {
+    areas.push_back(facets.areas[i] *
+                    Tensor<1, 3>(io::LoadFile::point_at(facets.normals, i)));
+    for (unsigned int d = 0; d < 3; ++d)
+      if (mirrored_[d])
+      {
+        areas.back() *= 2.;
+        areas.back()[d] = 0.;
+      }
+  }
+  return areas;
+}
+
+
+void RecordedLoads::sum_impulses(const std::vector<Tensor<1, 3>> &recorded,
+                                 const std::vector<Tensor<1, 3>> &mapped)
+{
   recorded_impulse_ = mapped_impulse_ = Tensor<1, 3>();
+  Tensor<1, 3> largest, on_elements;
+  for (std::size_t t = 0; t < recorded.size(); ++t)
+  {
+    recorded_impulse_ += recorded[t];
+    mapped_impulse_ += mapped[t];
+    if (recorded_impulse_.norm_square() > largest.norm_square())
+    {
+      largest = recorded_impulse_;
+      on_elements = mapped_impulse_;
+    }
+  }
+  largest_recorded_impulse_ = largest.norm();
+  largest_mapped_impulse_ = dealii::Utilities::MPI::sum(
+    on_elements * largest / std::max(largest_recorded_impulse_, 1e-300),
+    communicator_);
+  mapped_impulse_ = dealii::Utilities::MPI::sum(mapped_impulse_, communicator_);
+}
+
+
+void RecordedLoads::require_arrival(const std::vector<double> &impulse) const
+{
+  const io::LoadFile::Facets &facets = reader_->facets();
   double recorded = 0., arriving = 0.; // sums of magnitudes
   for (std::size_t i = 0; i < impulse.size(); ++i)
-  {
-    recorded_impulse_ -=
-      impulse[i] * facets.areas[i] *
-      Tensor<1, 3>(io::LoadFile::point_at(facets.normals, i));
     recorded += std::abs(impulse[i]) * facets.areas[i];
-  }
   for (unsigned int d = 0; d < 3; ++d)
     if (mirrored_[d])
-    {
       recorded *= 2.;
-      recorded_impulse_ *= 2.;
-      recorded_impulse_[d] = 0.;
-    }
   for (std::size_t i = 0; i < source_.size(); ++i)
     if (source_[i] != no_index)
     {
-      mapped_impulse_ -= impulse[source_[i]] * areas_[i];
       // Voxel stairs overestimate areas, but not their projections.
       const Tensor<1, 3> normal =
         io::LoadFile::point_at(facets.normals, source_[i]);
@@ -360,14 +411,10 @@ void RecordedLoads::sum_impulses(const std::vector<double> &impulse)
       }
       arriving += std::abs(impulse[source_[i]]) * std::max(0., projection);
     }
-  std::vector<double> sum(mapped_impulse_.begin_raw(),
-                          mapped_impulse_.end_raw());
-  sum.push_back(arriving);
-  dealii::Utilities::MPI::sum(sum, communicator_, sum);
-  std::copy(sum.begin(), sum.end() - 1, mapped_impulse_.begin_raw());
-  if (sum.back() < least_arriving * recorded)
+  arriving = dealii::Utilities::MPI::sum(arriving, communicator_);
+  if (arriving < least_arriving * recorded)
     throw InputError(
-      "Loads/Recorded/File: " + brief(100. * sum.back() / recorded, 2) +
+      "Loads/Recorded/File: " + brief(100. * arriving / recorded, 2) +
       " % of the recorded impulse arrives on this body, less than " +
       brief(100. * least_arriving) +
       " %; it must be in the place of the recorded one (Body/Shift and "
@@ -393,7 +440,9 @@ std::vector<NamedValue> RecordedLoads::check_values() const
     {"loads_unmatched_facets", "-", sums[1]},
     {"loads_largest_distance", "m", largest},
     {"loads_mean_distance", "m", sums[0] / std::max(1., sums[2])},
-    {"loads_impulse_factor", "-", factor_}};
+    {"loads_impulse_factor", "-", factor_},
+    {"loads_largest_recorded_impulse", "N s", largest_recorded_impulse_},
+    {"loads_largest_mapped_impulse", "N s", factor_ * largest_mapped_impulse_}};
   for (unsigned int d = 0; d < 3; ++d)
   {
     const std::string axis(1, "xyz"[d]);

@@ -22,7 +22,7 @@ namespace contrecoup::solid
  * intervals; pressure is interpolated linearly between the midpoints of
  * intervals, which conserves impulse, and is constant after the last one. One
  * global factor matches the impulse on this surface to that on the recorded
- * surface.
+ * surface until the time when the latter is largest.
  */
 class RecordedLoads : public PressureHistory
 {
@@ -51,14 +51,22 @@ public:
 
   /// Distances of the facets, the pressure factor, and the impulse of all
   /// samples on the recorded surface and, including the factor, on this
-  /// surface. Collective.
+  /// surface; also until the time when the recorded one is largest, along its
+  /// direction then. Collective.
   std::vector<NamedValue> check_values() const override;
 
 private:
   void measure_impulses();
-  /// Integrates impulses per area of the recorded facets over both surfaces.
-  /// Collective. @throws InputError when too little impulse arrives
-  void sum_impulses(const std::vector<double> &impulse);
+  void choose_factor();
+  /// Area vectors of the recorded facets, including mirrored ones [m^2].
+  std::vector<dealii::Tensor<1, 3>> recorded_areas() const;
+  /// Sums the impulses of all samples, on the recorded surface and on the
+  /// facets of this rank [N s]. Collective.
+  void sum_impulses(const std::vector<dealii::Tensor<1, 3>> &recorded,
+                    const std::vector<dealii::Tensor<1, 3>> &mapped);
+  /// Takes impulses per area of the recorded facets. Collective.
+  /// @throws InputError when too little impulse arrives
+  void require_arrival(const std::vector<double> &impulse) const;
 
   std::unique_ptr<io::LoadReader> reader_;
   double offset_ = 0.; ///< recorded time at the start of this run [s]
@@ -87,5 +95,8 @@ private:
 
   dealii::Tensor<1, 3> recorded_impulse_; ///< including mirrored facets [N s]
   dealii::Tensor<1, 3> mapped_impulse_;   ///< without the factor [N s]
+  /// At the time when the recorded impulse is largest, along it [N s].
+  double largest_recorded_impulse_ = 0.;
+  double largest_mapped_impulse_ = 0.; ///< without the factor
 };
 } // namespace contrecoup::solid
