@@ -249,6 +249,21 @@ TEST(Plan, ReplacesEstimatesByMeasurements)
   EXPECT_EQ(alone, Lines{planned});
 }
 
+// The plan has warned; what is found counts, where it is known.
+TEST(Plan, JudgesByTheEstimateWhatWasNotMeasured)
+{
+  const Assumption unknown = item(std::nan(""), false);
+  const Assumption low = item(1., false), high = item(3., false);
+  EXPECT_EQ(holds(unknown, &high), std::optional(false));
+  EXPECT_EQ(holds(low, &high), std::optional(true));
+  EXPECT_EQ(holds(high, &low), std::optional(false));
+  EXPECT_EQ(holds(unknown, &low), std::nullopt);
+  EXPECT_EQ(holds(unknown, nullptr), std::nullopt);
+  const auto lines = audit_lines({high}, {unknown});
+  ASSERT_EQ(lines.size(), 2U);
+  EXPECT_NE(lines[1].find("NO"), std::string::npos) << lines[1];
+}
+
 TEST(Plan, NamesEstimateMeasurementAndEntry)
 {
   const auto lines = audit_lines({item(1.25, false)}, {item(7.5, false)});

@@ -1213,6 +1213,16 @@ class ReportTest(unittest.TestCase):
         for word in ("duration", "is missing (limit"):
             self.assertFalse(word in answer, word)
 
+    def test_limits_of_what_was_not_measured(self):
+        """An estimate beyond its limit is named as such."""
+        row = {"quantity": "cells", "estimate": "6.6", "found": "unknown",
+               "limit": "at least 10", "holds": False}
+        scene = types.SimpleNamespace(list_of=lambda _: [row])
+        self.assertEqual(headline._limits(scene), [
+            "Beyond its limit: cells (estimated at 6.6, not measured; limit: "
+            "at least 10)."])
+        self.assertIn(">no<", str(accuracy._planned(row)[6]))
+
     def test_loads_on_other_surface(self):
         """Impulses that differ by more than two per cent along the recorded one
         are named."""

@@ -22,8 +22,9 @@ def plan(scene):
             ("item", "assumption", "quantity", "estimate before", "found after",
              "limit", "holds", "entry that changes it"),
             [_planned(row) for row in audited],
-            "A dash stands for an unknown value or for no limit; such items "
-            "are not judged.", widths=PLAN_WIDTHS))
+            "A dash stands for an unknown value or for no limit. Items without "
+            "a limit are not judged, nor are those that were not found, unless "
+            "the estimate breaks the limit.", widths=PLAN_WIDTHS))
     elif scene.list_of("plan"):
         parts.append(page.table(
             ("item", "assumption", "quantity", "estimate before",
@@ -59,10 +60,9 @@ def _planned(row):
         return "–" if text == "unknown" else text
 
     limit = "–" if word("limit").endswith("unknown") else word("limit")
-    is_judged = "–" not in (limit, word("found"))
     return (_words(word("item")), word("decision"), word("quantity"),
             word("estimate"), word("found"), limit,
-            _holds(row.get("holds") if is_judged else None),
+            _holds(None if limit == "–" else row.get("holds")),
             page.tag("code", word("entry")))
 
 
@@ -89,7 +89,7 @@ def _audit_row(name, entry):
         if files.as_number(entry.get(key)) is not None:
             limit = word + shown(entry[key], page.plain)
     measured = shown(entry.get("measured"))
-    judged = None if "–" in (limit, measured) else entry.get("holds")
+    judged = None if limit == "–" else entry.get("holds")
     return (_words(name), entry.get("decision", ""),
             entry.get("quantity", ""), shown(entry.get("estimate")),
             measured, limit, _holds(judged),

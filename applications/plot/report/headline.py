@@ -503,8 +503,12 @@ def _ground(scene):
 
 def _limits(scene):
     """Items of the audit beyond their limits."""
+    def known(row):
+        return row.get("found") if row.get("found") != "unknown" else \
+            f"estimated at {row.get('estimate')}, not measured"
+
     failed = [f"{WORDS.get(row.get('item')) or row.get('quantity')} "
-              f"({row.get('found')}; limit: {row.get('limit')})"
+              f"({known(row)}; limit: {row.get('limit')})"
               for row in scene.list_of("audit")
               if row.get("holds") is False and row.get("limit")]
     return ["Beyond " + ("their limits" if len(failed) > 1 else "its limit")

@@ -58,6 +58,7 @@ namespace
     for (const Assumption &item : audit)
     {
       const Assumption *planned = io::find_assumption(plan, item.name);
+      const std::optional<bool> keeps = io::holds(item, planned);
       io::Json row = {
         {"item", item.name},
         {"decision", item.decision},
@@ -70,10 +71,8 @@ namespace
            ? ""
            : (item.is_lower_limit ? "at least " : "at most ") +
                value_text(item.limit, item.unit)},
-        {"holds", nullptr},
+        {"holds", keeps ? io::Json(*keeps) : io::Json(nullptr)},
         {"entry", item.entry}};
-      if (std::isfinite(item.value) && !std::isnan(item.limit))
-        row["holds"] = !item.fails();
       rows.push_back(row);
     }
     return rows;

@@ -63,8 +63,7 @@ namespace io
       for (const Assumption &item : summary.audit)
       {
         const Assumption *planned = find_assumption(summary.plan, item.name);
-        const bool is_judged =
-          std::isfinite(item.value) && !std::isnan(item.limit);
+        const std::optional<bool> keeps = holds(item, planned);
         object[item.name] = {
           {"decision", item.decision},
           {"quantity", item.quantity},
@@ -72,7 +71,7 @@ namespace io
           {"estimate", planned ? number(planned->value) : Json(nullptr)},
           {"measured", number(item.value)},
           {item.is_lower_limit ? "at_least" : "at_most", number(item.limit)},
-          {"holds", is_judged ? Json(!item.fails()) : Json(nullptr)},
+          {"holds", keeps ? Json(*keeps) : Json(nullptr)},
           {"entry", item.entry}};
       }
       return object;

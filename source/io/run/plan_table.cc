@@ -153,6 +153,17 @@ namespace io
     return nullptr;
   }
 
+  std::optional<bool> holds(const Assumption &audited,
+                            const Assumption *planned)
+  {
+    if (std::isfinite(audited.value) && !std::isnan(audited.limit))
+      return !audited.fails();
+    return planned != nullptr && std::isfinite(planned->value) &&
+               planned->fails()
+             ? std::optional(false)
+             : std::nullopt;
+  }
+
   std::vector<std::string> plan_lines(const std::vector<Assumption> &plan)
   {
     if (plan.empty())
@@ -182,15 +193,15 @@ namespace io
     for (const Assumption &item : audit)
     {
       const Assumption *planned = find_assumption(plan, item.name);
-      const bool known = std::isfinite(item.value) && !std::isnan(item.limit);
+      const std::optional<bool> keeps = holds(item, planned);
       rows.push_back({item.name,
                       item.quantity,
                       planned ? number(planned->value, item.unit) : "",
                       number(item.value, item.unit),
                       limit(item),
-                      item.fails() ? "NO"
-                      : known      ? "yes"
-                                   : ""});
+                      !keeps   ? ""
+                      : *keeps ? "yes"
+                               : "NO"});
     }
     std::vector<std::string> lines = aligned(rows);
     for (const Assumption &item : audit)

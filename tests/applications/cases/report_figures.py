@@ -806,9 +806,8 @@ def check_audit(page, files):
             require(row[header] == ("–" if told[key] == "unknown"
                                     else told[key] or "–"), f"{row}, {told}")
             count += 1
-        require(row["holds"] == ("not judged" if "–" in (
-            row["limit"], row["found after"]) else
-            "yes" if told["holds"] else "no"), f"{row}, {told}")
+        require(row["holds"] == {None: "not judged", True: "yes", False: "no"}[
+            told["holds"] if told["limit"] else None], f"{row}, {told}")
     # What is not in the table of the scene has one of its own.
     told = {row["item"].replace(" ", "_") for row in rows}
     if not told.issuperset(known):

@@ -56,8 +56,8 @@ namespace io
    * and "checks" have an object with value and unit for each name.
    * "assumptions" has for each item of the audit an object with decision,
    * quantity, unit, estimate, measured value, limit, whether it holds (null
-   * without a limit or a measured value), and the entry that changes the
-   * decision.
+   * without a limit, and without a measured value unless the estimate breaks
+   * the limit), and the entry that changes the decision.
    */
   std::string to_text(const Summary &summary);
 } // namespace io

@@ -5,6 +5,7 @@
 
 #include <contrecoup/base/run/simulation.h>
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -44,5 +45,10 @@ namespace io
   /// The assumption with this name, or nullptr.
   const Assumption *find_assumption(const std::vector<Assumption> &items,
                                     const std::string &name);
+
+  /// Whether an item of the audit keeps its limit: by what was measured, else a
+  /// planned figure beyond the limit breaks it; nothing where neither says.
+  std::optional<bool> holds(const Assumption &audited,
+                            const Assumption *planned);
 } // namespace io
 } // namespace contrecoup
