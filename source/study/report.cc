@@ -275,6 +275,11 @@ std::string to_markdown(const StudyParameters &parameters,
   out << "\n\n" << markdown_table(parameters, result);
   if (!result.columns.empty())
     out << '\n' << further_table(parameters, result);
+  if (std::any_of(
+        result.rows.begin(), result.rows.end(), [](const ResultRow &row) {
+          return row.outcome.kind == "retried";
+        }))
+    out << "\nretried: " << retried_in_words << ".\n";
   if (result.n_cut_off() > 0)
     out << "\n≥: a lower limit, as the run ends before the positive phase "
            "does.\n";

@@ -81,7 +81,9 @@ namespace
   {
     std::vector<std::string> parts;
     for (const auto &[kind, count] : count_outcomes(result))
-      parts.push_back(std::to_string(count) + " " + kind);
+      parts.push_back(
+        std::to_string(count) + " " + kind +
+        (kind == "retried" ? " (" + std::string(retried_in_words) + ")" : ""));
     return join(parts, ", ");
   }
 

@@ -111,6 +111,19 @@ TEST_F(FinishedStudy, LeavesOutWhatFailed)
             std::string::npos);
 }
 
+TEST_F(FinishedStudy, ExplainsRetries)
+{
+  read({"Error/Kind=none"});
+  const auto text = [&] {
+    return to_markdown(parameters_, evaluate(parameters_, tasks_));
+  };
+  EXPECT_EQ(text().find("retried"), std::string::npos);
+  tasks_[1].outcome->kind = "retried";
+  EXPECT_NE(text().find("\nretried: complete; steps that failed were repeated"),
+            std::string::npos)
+    << text();
+}
+
 TEST_F(FinishedStudy, ListsWarningsOfRuns)
 {
   read({"Error/Wanted error=0.1"});

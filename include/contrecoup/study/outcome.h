@@ -43,6 +43,10 @@ Outcome judge(const ProcessEnd &end,
               const std::string &folder,
               const std::string &error_file);
 
+/// What a reader of a table does not know of "retried".
+constexpr const char *retried_in_words =
+  "complete; steps that failed were repeated with a smaller size";
+
 /// Whether the run failed because files could not be written: disk full or
 /// read-only, quota. Further runs would fail as well.
 bool is_storage_failure(const Outcome &outcome);
