@@ -114,9 +114,16 @@ TEST(Person, SaysWhereTheChargeIs)
          {"0, 0, -30",
           "before the person's front, 30 degrees to the left of where the "
           "person faces"},
+         {"0, 0, 180", "straight behind the person"},
+         {"0, 0, -179.8", "straight behind the person"},
          {"0, 90, 0", "beyond the person's head"},
          {"0, -90, 0", "beyond the person's feet"}})
     EXPECT_EQ(person_by({"Rotation=" + rotation}).charge_in_words(), words);
+  for (const auto &[rotation, side] : std::map<std::string, std::string>{
+         {"0, 90, 0", "back"}, {"0, -90, 0", "front"}})
+    EXPECT_EQ(
+      person_by({"Rotation=" + rotation}, {0., 0., 5.}).charge_in_words(),
+      "straight before the person's " + side);
   EXPECT_EQ(person_by({"Kind=shape"}).charge_in_words(), "");
   EXPECT_EQ(person_by({"Kind=image", "Rotation=0, 0, -30"}).charge_in_words(),
             "before the person's front, 30 degrees to the left of where the "

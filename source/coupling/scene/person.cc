@@ -201,8 +201,11 @@ std::string Person::charge_in_words() const
   if (side.empty() || side == "head" || side == "feet")
     return side.empty() ? "" : "beyond the person's " + side;
   const double azimuth = std::round(charge_azimuth());
-  if (azimuth == 0.)
-    return "straight ahead of the person" + front;
+  if (azimuth == 0. || std::abs(azimuth) == 180.)
+    return (posture() == "lying" ? "straight before the person's " + side
+            : azimuth == 0.      ? "straight ahead of the person"
+                                 : "straight behind the person") +
+           front;
   return "before the person's " + side + ", " + brief(std::abs(azimuth)) +
          (std::abs(azimuth) == 1. ? " degree" : " degrees") + " to the " +
          (azimuth < 0. ? "right" : "left") + " of where the person faces" +
