@@ -260,9 +260,9 @@ namespace coupling
         require_elements(size.cells > 0.);
         CostEstimate cost;
         cost.cells = size.cells;
-        // The libraries, labels and node numbers of the grid, then cells.
-        constexpr double libraries = 1.5e8;
-        cost.memory = libraries + 5. * n_cubes +
+        // What libraries and the body have taken already, then labels and node
+        // numbers of the grid, and cells.
+        cost.memory = peak_memory(MPI_COMM_SELF) + 5. * n_cubes +
                       (parameters_.levels > 0 ? 265. : 115.) * cost.cells;
         cost.seconds = 1. + (parameters_.draw ? 4. : 0.) + 3e-6 * cost.cells;
         cost.output = estimate_output(size);

@@ -54,6 +54,7 @@ namespace
     return [&collective](const std::vector<std::string> &arguments,
                          const double /*trial_share*/,
                          CostEstimate &cost) {
+      forget_peak_memory();
       const io::ToolDescription tool = anatomy_application(
         [&cost](const CostEstimate &found) { cost = found; });
       Failure failure;
