@@ -11,6 +11,7 @@
 #include <contrecoup/gas/conditions/layer_fields.h>
 #include <contrecoup/gas/conditions/reference_solution.h>
 #include <contrecoup/gas/conditions/table_profile.h>
+#include <contrecoup/materials/custom_explosive.h>
 #include <contrecoup/numerics/exact/detonation_solution.h>
 #include <contrecoup/numerics/exact/exact_riemann.h>
 #include <contrecoup/numerics/exact/noh_solution.h>
@@ -153,6 +154,26 @@ namespace
   }
 
 
+  void declare_equivalence(ParameterHandler &prm,
+                           const std::string &quantity,
+                           const std::string &what,
+                           const std::string &of_c4)
+  {
+    declare_list(prm,
+                 "TNT equivalence of " + quantity,
+                 "",
+                 0,
+                 1,
+                 1e-3,
+                 100.,
+                 "-",
+                 "Mass of TNT that gives the same " + what +
+                   ", per mass of charge; C-4: " + of_c4 +
+                   " on average (TM 5-855-1, 1986). Empty: that of "
+                   "Material/Explosive; 1 without explosive.");
+  }
+
+
   void declare_kingery_bulmash(ParameterHandler &prm)
   {
     const Section section(prm, "Kingery Bulmash");
@@ -181,28 +202,47 @@ namespace
                       KingeryBulmash::sets,
                       "Charge in free air, or on rigid ground after Kingery "
                       "and Bulmash or after Swisdak.");
-    declare_double(prm,
-                   "TNT equivalence of pressure",
-                   "1",
-                   1e-3,
-                   100.,
-                   "-",
-                   "Mass of TNT that gives the same peak and arrival, per mass "
-                   "of charge; C-4: 1.37 on average (TM 5-855-1, 1986).");
-    declare_double(prm,
-                   "TNT equivalence of impulse",
-                   "1",
-                   1e-3,
-                   100.,
-                   "-",
-                   "Mass of TNT that gives the same impulse and duration, per "
-                   "mass of charge; C-4: 1.19 on average (TM 5-855-1, 1986).");
+    declare_equivalence(prm, "pressure", "peak and arrival", "1.37");
+    declare_equivalence(prm, "impulse", "impulse and duration", "1.19");
+  }
+
+
+  /// Equivalences of the entries; empty ones are those of the explosive, and 1
+  /// without any.
+  TntEquivalence read_equivalence(ParameterHandler &prm,
+                                  const GasMaterial &material)
+  {
+    TntEquivalence tnt{1., 1., true, ""};
+    if (material.reference_density() > 0.)
+    {
+      const Section section(prm, "Material");
+      tnt = read_explosive(prm).tnt;
+    }
+    const Section section(prm, "Reference");
+    const Section tables(prm, "Kingery Bulmash");
+    for (const auto &[quantity, value] : {std::pair{"pressure", &tnt.pressure},
+                                          std::pair{"impulse", &tnt.impulse}})
+      if (const auto given =
+            read_list(prm, std::string("TNT equivalence of ") + quantity);
+          !given.empty())
+        *value = given[0];
+    return tnt;
+  }
+
+
+  std::string in_words(const TntEquivalence &tnt)
+  {
+    if (tnt.pressure == 1. && tnt.impulse == 1.)
+      return "";
+    return ", TNT of " + brief(tnt.pressure) + " times the mass, for impulse " +
+           "and duration " + brief(tnt.impulse) + " times";
   }
 
 
   /// Reads the entries of declare_kingery_bulmash().
   template <int dim>
-  Arrivals<dim> kingery_bulmash(ParameterHandler &prm)
+  Arrivals<dim> kingery_bulmash(ParameterHandler &prm,
+                                const TntEquivalence &tnt)
   {
     const Section section(prm, "Kingery Bulmash");
     const auto numbers = read_list(prm, "Center");
@@ -212,10 +252,8 @@ namespace
       center[d] = numbers[d];
     const double mass = read_double(prm, "Mass");
     const std::string burst = prm.get("Burst");
-    const KingeryBulmash of_pressure(
-      burst, mass * read_double(prm, "TNT equivalence of pressure"));
-    const KingeryBulmash of_impulse(
-      burst, mass * read_double(prm, "TNT equivalence of impulse"));
+    const KingeryBulmash of_pressure(burst, mass * tnt.pressure);
+    const KingeryBulmash of_impulse(burst, mass * tnt.impulse);
     return [=](const dealii::Point<dim> &point) {
       const double distance = point.distance(center);
       const auto known = [&](const KingeryBulmash &tables,
@@ -318,10 +356,13 @@ void ReferenceSolution<dim>::parse_parameters(ParameterHandler &prm,
   }
   value_ = nullptr;
   arrival_ = nullptr;
+  equivalence_.clear();
   if (name_ == "kingery bulmash")
   {
+    const auto tnt = read_equivalence(prm, material);
     const Section section(prm, "Reference");
-    arrival_ = kingery_bulmash<dim>(prm);
+    arrival_ = kingery_bulmash<dim>(prm, tnt);
+    equivalence_ = in_words(tnt);
   }
   else if (name_ == "table")
     value_ = table_field<dim>(table);

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstdio>
 #include <fstream>
+#include <tuple>
 
 using namespace contrecoup;
 using namespace contrecoup::gas;
@@ -262,6 +263,48 @@ TEST(ReferenceSolution, KingeryBulmashGivesWhatItsTablesHold)
     EXPECT_EQ(std::abs(value.arrival - seen.arrival) < 1e-8, m == mass);
     EXPECT_EQ(std::abs(value.impulse - seen.impulse) < 1e-2, m == impulse_mass);
   }
+}
+
+
+// Empty entries take what the library has for the explosive, as scenes do.
+TEST(ReferenceSolution, KingeryBulmashKnowsTheExplosive)
+{
+  const std::string tables = "Reference/Kingery Bulmash/";
+  const auto arrival_of = [&](const std::vector<std::string> &more) {
+    std::vector<std::string> lines = {"Reference/Kind=kingery bulmash",
+                                      tables + "Mass=0.8535"};
+    lines.insert(lines.end(), more.begin(), more.end());
+    const Scene<1> scene(lines);
+    const BlastMeasures found = scene.reference.arrival(Point<1>(1.));
+    return std::tuple(found.peak,
+                      found.impulse,
+                      scene.reference.description() == "kingery bulmash");
+  };
+  const std::string mixture = "Material/Equation of state=jwl in air",
+                    c4 = "Material/Explosive=c-4";
+  const auto [peak, impulse, is_plain] = arrival_of({mixture, c4});
+  EXPECT_FALSE(is_plain);
+  EXPECT_EQ(arrival_of({tables + "TNT equivalence of pressure=1.37",
+                        tables + "TNT equivalence of impulse=1.19"}),
+            std::tuple(peak, impulse, false));
+  // Without an explosive, of TNT, and where the entries are given.
+  const auto of_tnt = arrival_of({});
+  EXPECT_NEAR(std::get<0>(of_tnt), 830.9e3, 500.);
+  EXPECT_TRUE(std::get<2>(of_tnt));
+  EXPECT_EQ(arrival_of({c4}), of_tnt);
+  EXPECT_EQ(arrival_of({mixture, "Material/Explosive=tnt"}), of_tnt);
+  EXPECT_EQ(arrival_of({mixture,
+                        c4,
+                        tables + "TNT equivalence of pressure=1",
+                        tables + "TNT equivalence of impulse=1"}),
+            of_tnt);
+  // Of the user's own, by the ratio of energies.
+  EXPECT_GT(std::get<0>(
+              arrival_of({mixture,
+                          "Material/Explosive=custom",
+                          "Material/Custom explosive/Like=c-4",
+                          "Material/Custom explosive/Energy density=1.2e10"})),
+            peak);
 }
 
 

@@ -45,6 +45,13 @@ public:
   /// Kind as named in the parameter file; "none" without a reference.
   const std::string &name() const;
 
+  /// The same for readers, with the TNT equivalence by which tables are
+  /// entered.
+  std::string description() const
+  {
+    return name_ + equivalence_;
+  }
+
   /// Whether value() may be called.
   bool exists() const;
 
@@ -69,6 +76,7 @@ private:
                             const GasMaterial &material);
 
   std::string name_ = "none";
+  std::string equivalence_; ///< in words; empty: of TNT
   bool measure_errors_ = true;
   std::function<GasState<dim>(const dealii::Point<dim> &, double)> value_;
   std::function<BlastMeasures(const dealii::Point<dim> &)> arrival_;
