@@ -1305,16 +1305,17 @@ class ReportTest(unittest.TestCase):
                              is_late)
 
     def test_other_items_of_the_answer(self):
-        """A longer phase on the skin, missing energy, a tissue with hourglass
-        energy, no afterburn."""
+        """A longer phase on the skin, a place that no blast has reached,
+        missing energy, a tissue with hourglass energy, no afterburn."""
         folder = self.copy_without("blast/fields", "biomechanics/fields.pvd")
         for name, before, after in (
                 ("biomechanics/summary.json",
                  '"energy_residual": {"value": 3.5e-06',
                  '"hourglass_part_skeleton": {"value": 0.219, "unit": "-"}, '
                  '"energy_residual": {"value": -0.0212'),
-                ("blast/gauge_measures.csv", "back,0.0018,200000.0",
-                 "back,0.0018,0.0"),
+                ("blast/gauge_measures.csv",
+                 "back,0.0018,200000.0,0.0018,76.0,0.001,0",
+                 "back,nan,nan,nan,nan,nan,0"),
                 ("scene.json", "3.5 of at most 7.3 MJ/kg, Miller's rate, by "
                  "explosive", "left out")):
             path = os.path.join(folder, name)

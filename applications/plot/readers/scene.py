@@ -199,7 +199,8 @@ class Scene:
         return parts
 
     def gauge_measures(self):
-        """GAUGE_MEASURES of the gauges on the skin: numbers by gauge and name."""
+        """GAUGE_MEASURES of the gauges on the skin that a blast has reached:
+        numbers by gauge and name."""
         return read_gauge_measures(self.blast)
 
     def gauge_injury(self):
@@ -269,7 +270,8 @@ def read_loads(blast):
 
 
 def read_gauge_measures(blast):
-    """gauge_measures.csv: numbers by gauge and name, {} without the file."""
+    """gauge_measures.csv: numbers by gauge and name, of gauges that a blast has
+    reached; {} without the file."""
     path = blast.path("gauge_measures.csv")
     if not os.path.exists(path):
         return {}
@@ -279,10 +281,13 @@ def read_gauge_measures(blast):
             name.split(" [")[0]: float(value)
             for name, value in row.items()}
             for row in files.rows_of(file)}
-        for measures in found.values():
-            for name in GAUGE_MEASURES:
-                if not np.isfinite(measures[name]):
-                    raise ValueError(f"{name}: no number")
+        for place in list(found):
+            numbers = [found[place][name] for name in GAUGE_MEASURES]
+            # "cut off" alone is known where no blast has arrived.
+            if np.isnan(numbers[:-1]).all() and np.isfinite(numbers[-1]):
+                del found[place]
+            elif not np.isfinite(numbers).all():
+                raise ValueError(f"{place}: no number")
     return found
 
 

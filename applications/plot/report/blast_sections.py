@@ -329,14 +329,15 @@ def _gauge_errors(scene, gauges):
     if not errors:
         return page.paragraph("The numerical errors of this table are unknown: "
                               "the scene has no coarser run.", kind="note")
+    known = scene.gauge_measures()
     least = {name: phase for name, phase in
              error_estimate.least_phases(scene).items()
-             if phase < scene.gauge_measures()[name]["positive phase"]}
+             if phase < known.get(name, {}).get("positive phase", 0.)}
     rows = [(name, *(page.error(errors[name][measure])
                      if measure in errors.get(name, {}) else "unknown"
                      for measure in error_estimate.GAUGE_MEASURES),
              page.milliseconds(least[name]) if name in least else "–")
-            for name, measures in scene.gauge_measures().items()
+            for name, measures in known.items()
             if measures["peak"] > 0. and name in gauges]
     return page.table(
         ("place", "error of peak", "error of impulse",

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/system/text.h>
+#include <contrecoup/gas/record/blast_maps.h>
 #include <contrecoup/gas/record/gauge_tables.h>
 #include <contrecoup/numerics/injury/blast_injury.h>
 #include <contrecoup/numerics/injury/chest_wall.h>
@@ -58,6 +59,20 @@ namespace
   bool is_ear(const std::string &place)
   {
     return std::regex_match(place, std::regex("(.*[^[:alnum:]])?ear"));
+  }
+
+
+  /// Words for places of a kind, not all of them where they are many.
+  std::string listed(const std::vector<std::string> &places,
+                     const std::size_t n_all,
+                     const std::string &kind)
+  {
+    constexpr std::size_t most = 4;
+    const std::size_t n = places.size();
+    return n == n_all && n > 1 ? "all " + std::to_string(n) + " " + kind
+           : n > most ? std::to_string(n) + " of " + std::to_string(n_all) +
+                          " " + kind + ", as " + places.front()
+                      : join(places, ", ");
   }
 
 
@@ -298,36 +313,54 @@ std::string warn_of_cut_off(const std::vector<std::string> &places,
                             const std::size_t n_all,
                             const std::string &kind)
 {
-  if (places.empty())
-    return "";
-  constexpr std::size_t most = 4;
-  const std::size_t n = places.size();
-  const std::string listed =
-    n == n_all && n > 1 ? "all " + std::to_string(n) + " " + kind
-    : n > most ? std::to_string(n) + " of " + std::to_string(n_all) + " " +
-                   kind + ", as " + places.front()
-               : join(places, ", ");
-  return "WARNING: the run ends before the positive phase does at " + listed +
-         ": impulse and duration there are lower limits; a later Time/End "
-         "time gives all of them";
+  return places.empty()
+           ? ""
+           : "WARNING: the run ends before the positive phase does at " +
+               listed(places, n_all, kind) +
+               ": impulse and duration there are lower limits; a later "
+               "Time/End time gives all of them";
+}
+
+
+std::string warn_of_unreached(const std::vector<std::string> &places,
+                              const std::size_t n_all,
+                              const std::string &kind)
+{
+  return places.empty()
+           ? ""
+           : "WARNING: no blast has reached " + listed(places, n_all, kind) +
+               " by the end of the run: nothing is measured "
+               "there; a later Time/End time may give it";
+}
+
+
+std::vector<NamedValue> gauge_values(const BlastMeasures &blast,
+                                     const double peak_time)
+{
+  const auto [peak, impulse, arrival, duration] = recorded_map_values(blast);
+  return {{"arrival", "s", arrival},
+          {"peak", "Pa", peak},
+          {"peak time", "s", std::isnan(peak) ? peak : peak_time},
+          {"impulse", "Pa s", impulse},
+          {"positive phase", "s", duration}};
 }
 
 
 std::string gauge_measures_table(const std::vector<GaugeBlast> &gauges,
                                  const double time)
 {
-  std::string text = "place,arrival [s],peak [Pa],peak time [s],impulse [Pa "
-                     "s],positive phase [s],cut off [-]\n";
+  std::vector<std::string> words = {"place"};
+  for (const NamedValue &value : gauge_values({}, 0.))
+    words.push_back(value.name + " [" + value.unit + "]");
+  std::string text = join(words, ",") + ",cut off [-]\n";
   for (const GaugeBlast &gauge : gauges)
-    text += join({gauge.place,
-                  exact(gauge.blast.arrival),
-                  exact(gauge.blast.peak),
-                  exact(gauge.peak_time),
-                  exact(gauge.blast.impulse),
-                  exact(gauge.blast.duration),
-                  is_cut_off(gauge.blast, time) ? "1" : "0"},
-                 ",") +
-            "\n";
+  {
+    words = {gauge.place};
+    for (const NamedValue &value : gauge_values(gauge.blast, gauge.peak_time))
+      words.push_back(std::isnan(value.value) ? "nan" : exact(value.value));
+    text +=
+      join(words, ",") + (is_cut_off(gauge.blast, time) ? ",1\n" : ",0\n");
+  }
   return text;
 }
 

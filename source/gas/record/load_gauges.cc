@@ -5,6 +5,7 @@
 #include <contrecoup/base/parameters/parameters.h>
 #include <contrecoup/base/parameters/selecting.h>
 #include <contrecoup/base/parameters/used_with.h>
+#include <contrecoup/base/system/aligned_rows.h>
 #include <contrecoup/base/system/coordinates.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/log.h>
@@ -17,10 +18,8 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <iomanip>
 #include <limits>
 #include <optional>
-#include <sstream>
 
 namespace contrecoup::gas
 {
@@ -336,12 +335,17 @@ void LoadGauges::write_tables(const double time) const
   io::write_file(folder_ + "/gauge_measures.csv", [&](std::ostream &out) {
     out << gauge_measures_table(gauges, time);
   });
-  std::vector<std::string> cut;
+  std::vector<std::string> cut, unreached;
   for (const GaugeBlast &gauge : gauges)
-    if (is_cut_off(gauge.blast, time))
+    if (gauge.blast.peak == 0.)
+      unreached.push_back(gauge.place);
+    else if (is_cut_off(gauge.blast, time))
       cut.push_back(gauge.place);
-  if (!cut.empty())
-    log_line(warn_of_cut_off(cut, gauges.size(), "gauges"));
+  for (const std::string &line :
+       {warn_of_cut_off(cut, gauges.size(), "gauges"),
+        warn_of_unreached(unreached, gauges.size(), "gauges")})
+    if (!line.empty())
+      log_line(line);
   const std::string injuries = gauge_injury_table(gauges, times, body_mass_);
   if (!injuries.empty())
     io::write_file(folder_ + "/gauge_injury.csv",
@@ -378,16 +382,17 @@ std::vector<NamedValue> LoadGauges::measures(const double time) const
   std::vector<NamedValue> values;
   for (std::size_t i = 0; i < records_.size(); ++i)
   {
-    std::string name = "loads_" + places_[i].name + "_";
-    std::replace(name.begin(), name.end(), ' ', '_');
+    const std::string begin = "loads_" + places_[i].name + "_";
     const BlastMeasures blast = records_[i].blast.measures(time);
-    values.push_back({name + "peak", "Pa", blast.peak});
-    values.push_back({name + "peak_time", "s", records_[i].peak_time});
-    values.push_back({name + "arrival", "s", blast.arrival});
-    values.push_back({name + "impulse", "Pa s", blast.impulse});
-    values.push_back({name + "positive_phase", "s", blast.duration});
+    std::vector<NamedValue> found = gauge_values(blast, records_[i].peak_time);
     if (is_cut_off(blast, time))
-      values.push_back({name + "cut_off", "-", 1.});
+      found.push_back({"cut_off", "-", 1.});
+    for (NamedValue &value : found)
+    {
+      value.name = begin + value.name;
+      std::replace(value.name.begin(), value.name.end(), ' ', '_');
+      values.push_back(value);
+    }
   }
   return values;
 }
@@ -397,26 +402,31 @@ std::vector<std::string> LoadGauges::table(const double time) const
 {
   if (places_.empty())
     return {};
-  std::ostringstream header;
-  header << std::left << std::setw(16) << "place on body" << std::setw(26)
-         << "x, y, z [m]" << std::right << std::setw(8) << "facets"
-         << std::setw(14) << "arrival [ms]" << std::setw(12) << "peak [kPa]"
-         << std::setw(9) << "at [ms]" << std::setw(16) << "impulse [Pa s]";
-  std::vector<std::string> lines = {header.str()};
+  std::vector<std::vector<std::string>> rows = {{"place on body",
+                                                 "x, y, z [m]",
+                                                 "facets",
+                                                 "arrival [ms]",
+                                                 "peak [kPa]",
+                                                 "at [ms]",
+                                                 "impulse [Pa s]"}};
   for (std::size_t i = 0; i < places_.size(); ++i)
   {
     const BlastMeasures blast = records_[i].blast.measures(time);
-    std::ostringstream line;
-    line << std::left << std::setw(16) << places_[i].name << std::setw(26)
-         << coordinates(places_[i].point) << std::right << std::setw(8)
-         << (i < patch_sizes_.size() ? patch_sizes_[i] : 0) << std::setw(14)
-         << brief(1e3 * blast.arrival) << std::setw(12)
-         << brief(1e-3 * blast.peak) << std::setw(9)
-         << brief(1e3 * records_[i].peak_time) << std::setw(16)
-         << (is_cut_off(blast, time) ? ">= " : "") + brief(blast.impulse);
-    lines.push_back(line.str());
+    rows.push_back(
+      {places_[i].name,
+       coordinates(places_[i].point),
+       std::to_string(i < patch_sizes_.size() ? patch_sizes_[i] : 0)});
+    const std::vector<std::string> measured = {
+      brief(1e3 * blast.arrival),
+      brief(1e-3 * blast.peak),
+      brief(1e3 * records_[i].peak_time),
+      (is_cut_off(blast, time) ? ">= " : "") + brief(blast.impulse)};
+    if (blast.peak > 0.)
+      rows.back().insert(rows.back().end(), measured.begin(), measured.end());
+    else
+      rows.back().emplace_back("not reached");
   }
-  return lines;
+  return aligned_rows(rows);
 }
 
 

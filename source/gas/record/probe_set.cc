@@ -4,6 +4,7 @@
 #include <contrecoup/base/parameters/parameters.h>
 #include <contrecoup/base/parameters/selecting.h>
 #include <contrecoup/base/parameters/used_with.h>
+#include <contrecoup/base/system/aligned_rows.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/log.h>
 #include <contrecoup/base/system/text.h>
@@ -12,6 +13,7 @@
 #include <contrecoup/gas/record/probe_set.h>
 #include <contrecoup/io/file/checked_file.h>
 
+#include <cmath>
 #include <iomanip>
 #include <limits>
 #include <sstream>
@@ -224,30 +226,33 @@ ProbeSet<dim>::report(const GasSnapshot<dim> &gas) const
     return {};
   const auto found = blasts();
   const double factors[] = {1e-3, 1., 1e3, 1e3};
-  std::vector<std::string> lines = {
-    "computed / " + reference.name() + " (difference):",
-    "probe  peak [kPa]                 impulse [Pa s]             "
-    "arrival [ms]               duration [ms]"};
+  std::vector<std::vector<std::string>> rows = {
+    {"probe", "peak [kPa]", "impulse [Pa s]", "arrival [ms]", "duration [ms]"}};
   for (std::size_t i = 0; i < found.size(); ++i)
   {
-    std::ostringstream line;
-    line << std::left << std::setw(7) << i + 1;
-    const auto computed = map_values(found[i]);
+    rows.push_back({std::to_string(i + 1)});
+    const auto computed = recorded_map_values(found[i]);
     const auto exact = map_values(reference.arrival(places()[i]));
     for (std::size_t k = 0; k < exact.size(); ++k)
     {
+      const bool is_known = !std::isnan(computed[k]);
       const bool is_cut =
         ends_with_phase(k) && is_cut_off(found[i], last_time_);
-      const std::string text =
-        (is_cut ? ">= " : "") + brief(computed[k] * factors[k]) + " / " +
-        (exact[k] == 0.
-           ? "unknown"
-           : brief(exact[k] * factors[k]) + " (" +
-               (is_cut ? "cut off" : difference(computed[k], exact[k])) + ")");
-      line << std::setw(26) << text << ' ';
+      const std::string relation =
+        is_cut ? "cut off" : difference(computed[k], exact[k]);
+      rows.back().push_back(
+        (is_cut ? ">= " : "") +
+        (is_known              ? brief(computed[k] * factors[k])
+         : found[i].peak == 0. ? "not reached"
+                               : "unknown") +
+        " / " + (exact[k] == 0. ? "unknown" : brief(exact[k] * factors[k])) +
+        (is_known && exact[k] != 0. ? " (" + relation + ")" : ""));
     }
-    lines.push_back(line.str());
   }
+  std::vector<std::string> lines = {"computed / " + reference.description() +
+                                    " (difference):"};
+  for (const std::string &line : aligned_rows(rows))
+    lines.push_back(line);
   return lines;
 }
 
@@ -260,7 +265,7 @@ void ProbeSet<dim>::finish()
       dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
     return;
   std::vector<AirBlast> air;
-  std::vector<std::string> cut, unknown;
+  std::vector<std::string> cut, unreached, unknown;
   const auto found = blasts();
   for (std::size_t i = 0; i < found.size(); ++i)
   {
@@ -272,12 +277,17 @@ void ProbeSet<dim>::finish()
                    is_cut_off(found[i], last_time_)});
     if (air.back().is_cut)
       cut.push_back(air.back().place);
+    if (found[i].peak == 0.)
+      unreached.push_back(air.back().place);
     if (is_habitable(air.back().ambient) &&
         lungs_are_unknown(air.back(), body_mass_))
       unknown.push_back(air.back().place);
   }
-  if (!cut.empty())
-    log_line(warn_of_cut_off(cut, found.size(), "probes"));
+  for (const std::string &line :
+       {warn_of_cut_off(cut, found.size(), "probes"),
+        warn_of_unreached(unreached, found.size(), "probes")})
+    if (!line.empty())
+      log_line(line);
   if (!unknown.empty())
     log_line("WARNING: " + words_of_unknown_lungs(join(unknown, ", ")));
   const std::string table = air_injury_table(

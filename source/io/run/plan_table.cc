@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/base/system/aligned_rows.h>
 #include <contrecoup/base/system/log.h>
 #include <contrecoup/base/system/log_words.h>
 #include <contrecoup/base/system/text.h>
@@ -30,30 +31,6 @@ namespace io
         return "";
       return (item.is_lower_limit ? "at least " : "at most ") +
              number(item.limit, item.unit);
-    }
-
-    /// Formats rows with aligned columns.
-    std::vector<std::string> aligned(const std::vector<Row> &rows)
-    {
-      std::vector<std::size_t> width;
-      for (const Row &row : rows)
-      {
-        width.resize(std::max(width.size(), row.size()), 0);
-        for (std::size_t i = 0; i < row.size(); ++i)
-          width[i] = std::max(width[i], row[i].size());
-      }
-      std::vector<std::string> lines;
-      for (const Row &row : rows)
-      {
-        std::string line = " ";
-        for (std::size_t i = 0; i < row.size(); ++i)
-          line +=
-            " " + row[i] +
-            (i + 1 < row.size() ? std::string(width[i] - row[i].size() + 1, ' ')
-                                : "");
-        lines.push_back(line);
-      }
-      return lines;
     }
 
     Row cost_row(const std::string &name, const CostEstimate &cost)
@@ -141,7 +118,7 @@ namespace io
     total.cells = total.unknowns = total.steps = 0.;
     if (costs.size() > 1)
       rows.push_back(cost_row("all", total));
-    return aligned(rows);
+    return aligned_rows(rows);
   }
 
   const Assumption *find_assumption(const std::vector<Assumption> &items,
@@ -176,7 +153,7 @@ namespace io
                       number(item.value, item.unit),
                       limit(item),
                       item.entry});
-    std::vector<std::string> lines = aligned(rows);
+    std::vector<std::string> lines = aligned_rows(rows);
     for (const Assumption &item : plan)
       if (item.fails() && std::isfinite(item.value))
         lines.push_back(mark + warning(item, estimated));
@@ -203,7 +180,7 @@ namespace io
                       : *keeps ? "yes"
                                : "NO"});
     }
-    std::vector<std::string> lines = aligned(rows);
+    std::vector<std::string> lines = aligned_rows(rows);
     for (const Assumption &item : audit)
     {
       // The plan has warned of it before, unless it is far worse.

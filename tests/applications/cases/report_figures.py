@@ -674,10 +674,11 @@ def check_gauges(page, files):
 def _gauge_errors(files, name):
     """Of a measure at each place, of order 0.7; at least their median and 2 %."""
     factor = 1. / (2. ** 0.7 - 1.)
-    errors = {place: factor * abs(files.coarser_places[place][name]
-                                  / measures[name] - 1.)
+    coarser = {place: measures[name] for place, measures
+               in files.coarser_places.items() if not math.isnan(measures[name])}
+    errors = {place: factor * abs(coarser[place] / measures[name] - 1.)
               for place, measures in files.places.items()
-              if measures[name] > 0. and place in files.coarser_places}
+              if measures[name] > 0. and place in coarser}
     least = max(0.02, statistics.median(errors.values())) if errors else 0.
     return {place: max(error, least) for place, error in errors.items()}
 

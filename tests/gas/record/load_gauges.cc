@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -296,7 +297,8 @@ TEST(LoadGauges, TellAPositivePhaseThatTheEndOfTheRunCutsOff)
   EXPECT_NE(table.find("chest,0.001,2e+05,0.001,300,0.001,1\n"),
             std::string::npos)
     << table;
-  EXPECT_NE(table.find("back,0,0,0,0,0,0\n"), std::string::npos) << table;
+  EXPECT_NE(table.find("back,nan,nan,nan,nan,nan,0\n"), std::string::npos)
+    << table;
 
   LoadGauges gauges = make_gauges({"Loads/Gauges=chest: 0, 0, 0.0005"});
   for (int i = 0; i < 100; ++i)
@@ -325,6 +327,35 @@ TEST(LoadGauges, WarnOfPositivePhasesThatTheEndOfTheRunCutsOff)
   const std::string many =
     warn_of_cut_off({"a", "b", "c", "d", "e"}, 9, "gauges");
   EXPECT_NE(many.find(" at 5 of 9 gauges, as a: "), std::string::npos) << many;
+}
+
+
+// Of a place that no blast has reached nothing is a number, wherever it is
+// told.
+TEST(LoadGauges, MeasureNothingWhereNoBlastHasArrived)
+{
+  LoadGauges gauges = make_gauges(
+    {"Loads/Gauges=chest: 0, 0, 0.0005; left side of the back: 0.1, 0, 0.0005"});
+  for (int i = 0; i < 100; ++i)
+    gauges.add({200e3, 0.5}, 2e-5 * (i + 1), 2e-5, 1.);
+  unsigned int n_unknown = 0;
+  for (const NamedValue &value : gauges.measures(2e-3))
+  {
+    const bool is_back = begins_with(value.name, "loads_left_side_of_the_back");
+    EXPECT_EQ(std::isnan(value.value), is_back) << value.name;
+    n_unknown += is_back ? 1 : 0;
+  }
+  EXPECT_EQ(n_unknown, 5U);
+  const std::vector<std::string> lines = gauges.table(2e-3);
+  ASSERT_EQ(lines.size(), 3U);
+  EXPECT_NE(lines[2].find("not reached"), std::string::npos) << lines[2];
+  // Columns fit their widest cell.
+  EXPECT_EQ(lines[0].find("x, y, z"), lines[2].find("0.1, 0"));
+  EXPECT_EQ(lines[0].find("arrival"), lines[2].find("not reached"));
+  EXPECT_EQ(warn_of_unreached({}, 3, "gauges"), "");
+  EXPECT_NE(warn_of_unreached({"back"}, 3, "gauges")
+              .find("no blast has reached back by the end of the run"),
+            std::string::npos);
 }
 
 

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <contrecoup/base/run/simulation.h>
 #include <contrecoup/gas/state/blast_record.h>
 #include <contrecoup/gas/state/exposure_record.h>
 
@@ -35,9 +36,19 @@ std::string warn_of_cut_off(const std::vector<std::string> &places,
                             const std::size_t n_all,
                             const std::string &kind);
 
-/// CSV table of the blast measures, one row per gauge: arrival, peak, its time,
-/// positive impulse and positive phase, as BlastRecord defines them, and 1
-/// where the end of the run, @p time [s], cuts the positive phase off.
+/// The warning that no blast has reached places by the end of the run;
+/// arguments as of warn_of_cut_off().
+std::string warn_of_unreached(const std::vector<std::string> &places,
+                              const std::size_t n_all,
+                              const std::string &kind);
+
+/// Arrival, peak, its time, positive impulse and positive phase at a gauge, as
+/// BlastRecord defines them; not a number where no blast has arrived.
+std::vector<NamedValue> gauge_values(const BlastMeasures &blast,
+                                     const double peak_time);
+
+/// CSV table of gauge_values(), one row per gauge, and 1 where the end of the
+/// run, @p time [s], cuts the positive phase off.
 std::string gauge_measures_table(const std::vector<GaugeBlast> &gauges,
                                  const double time);
 
