@@ -183,6 +183,13 @@ TEST(ImpactPlan, audits_friction_and_contact)
   EXPECT_EQ(find(found, "contact").value, 0.5);
   found.contact_end = 2.;
   EXPECT_TRUE(find(found, "contact").fails());
+  // A run that stops early has seen the end of a contact or not.
+  for (const double end : {-1., 0.5, 1.})
+  {
+    found.time = 1.;
+    found.contact_end = end;
+    EXPECT_EQ(std::isnan(find(found, "contact").value), end != 0.5) << end;
+  }
   plan.planes[0].friction = 0.5;
   found.friction_work = -1.5;
   EXPECT_NEAR(find(found, "friction").value, 0.25, 1e-15);

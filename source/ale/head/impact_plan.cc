@@ -264,11 +264,16 @@ std::vector<Assumption> ImpactPlan::audit(const ImpactResults &results) const
   const double friction = has_friction()
                             ? 0. - results.friction_work
                             : usual_friction * results.sliding_work;
+  // A run that stops before the contact or within it has not seen its end.
+  const double almost = 1. - 1e-9;
+  const bool is_followed =
+    results.time >= almost * end_time ||
+    (results.contact_end >= 0. && results.contact_end < almost * results.time);
   for (Assumption &item : items)
   {
     if (item.name == "contact")
       item.value =
-        results.contact_end < 0. ? 0. : results.contact_end / end_time;
+        is_followed ? std::max(0., results.contact_end) / end_time : unknown;
     if (item.name == "friction")
       item.value = results.kinetic_energy > 0.
                      ? friction / results.kinetic_energy

@@ -162,7 +162,8 @@ std::vector<Assumption> ParticleSimulation::audit()
                          contact_now_.sliding_work,
                          kinetic,
                          0.,
-                         largest_.any});
+                         largest_.any,
+                         time()});
   if (mesh_.head() != nullptr)
     items.push_back(layer_resolution());
   const auto add = [&](const char *name,

@@ -89,6 +89,7 @@ std::vector<Assumption> AleSimulation::audit()
                               contact.sliding_work,
                               initial_kinetic_energy_,
                               lagrange_.coupling().record().work,
-                              energy_scale_});
+                              energy_scale_,
+                              time()});
 }
 } // namespace contrecoup::ale

@@ -30,6 +30,9 @@ namespace
   }
 
   const std::string first_reflection = "first reflection from an open side at ";
+  /// By what the run has seen of the way there.
+  const std::string earliest_reflection =
+    "earliest possible reflection from an open side at ";
 
   /// A gauge in words.
   template <int dim>
@@ -213,8 +216,13 @@ void ModellingPlan<dim>::measure_return(const Measurements &measured,
     if (back >= item.value)
       continue;
     item.value = back;
-    item.quantity = first_reflection + place_of(path.gauge);
+    item.quantity =
+      (back > measured.time ? earliest_reflection : first_reflection) +
+      place_of(path.gauge);
   }
+  // What comes after a run that has stopped is not known of the whole one.
+  if (item.value > measured.time && measured.time < end_time * (1. - 1e-9))
+    item.value = unknown;
 }
 
 

@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <sstream>
+#include <tuple>
 
 using namespace contrecoup;
 using namespace contrecoup::gas;
@@ -61,8 +62,39 @@ TEST(ModellingPlan, KnowsTheFirstReflection)
                    0.005 + 1. / sound_speed);
   // No side was reached: nothing can be back sooner than from the nearest.
   measured.side_arrivals[1] = OpenSides<2>::never;
-  EXPECT_DOUBLE_EQ(value_of(plan.audit(measured), "reflection"),
-                   0.008 + 1. / sound_speed);
+  measured.time = 0.01;
+  for (const Assumption &item : plan.audit(measured))
+    if (item.name == "reflection")
+    {
+      EXPECT_DOUBLE_EQ(item.value, 0.01 + 1. / sound_speed);
+      EXPECT_EQ(
+        item.quantity,
+        "earliest possible reflection from an open side at the probe at 2, 0 m");
+    }
+}
+
+// What would come back after the stop is neither measured nor judged, whether
+// the front is on its way to the side or from there; what has come back is.
+TEST(ModellingPlan, JudgesOfAStoppedRunOnlyWhatItHasSeen)
+{
+  const ModellingPlan<2> plan = quarter();
+  ModellingPlan<2>::Measurements measured;
+  measured.smallest_subcell = 0.01;
+  measured.side_arrivals.fill(OpenSides<2>::never);
+  for (const auto &[side, stop, is_seen] :
+       {std::tuple{OpenSides<2>::never, 0.003, false},
+        std::tuple{0.002, 0.003, false},
+        std::tuple{0.002, 0.006, true}})
+  {
+    measured.side_arrivals[1] = side;
+    measured.time = stop;
+    for (const Assumption &item : plan.audit(measured))
+      if (item.name == "reflection")
+      {
+        EXPECT_EQ(std::isnan(item.value), !is_seen) << stop;
+        EXPECT_EQ(item.fails(), is_seen) << stop;
+      }
+  }
 }
 
 // Those of lines and planes count as probes do, by the nearest to a side.

@@ -7,6 +7,7 @@
 #include <contrecoup/base/run/simulation.h>
 #include <contrecoup/numerics/injury/own_thresholds.h>
 
+#include <limits>
 #include <vector>
 
 namespace contrecoup::ale
@@ -68,6 +69,8 @@ struct ImpactPlan
     double kinetic_energy = 0.;          ///< at the start [J]
     double interface_work = 0.;          ///< see InterfaceCoupling [J]
     double largest_energy = 0.;          ///< largest total energy so far [J]
+    /// Time that the run has come to [s].
+    double time = std::numeric_limits<double>::max();
   };
 
   /// Estimates before the run.

@@ -22,7 +22,8 @@ namespace contrecoup::gas
  *   equation_of_state fraction of the pressure of explosive products that an
  *                     ideal gas lacks
  *   reflection        waves reflected at open sides reach all gauges after the
- *                     end time
+ *                     end time; not judged of a run that stopped before they
+ *                     could
  *   air               constant heat capacities
  *   gravity           its speed is small compared with that of the gas
  *   viscosity,        their boundary layers at the end are thinner than the
