@@ -109,6 +109,18 @@ TEST(RecordedLoads, ImpulseIsKept)
       middles, {Point<3>(-area, 0., 0.), Point<3>(2., 0., 0.)}, MPI_COMM_SELF);
     EXPECT_NEAR(audited(*chosen, "loads_impulse_factor"), factor, 1e-12);
   }
+  // Surfaces that differ are warned of in any case.
+  ParameterHandler prm;
+  solid::RecordedLoads::declare_parameters(prm);
+  prm.set("File", file);
+  prm.set("Largest distance", 0.4);
+  prm.set("Keep impulse", false);
+  const auto kept = solid::RecordedLoads::parse_parameters(prm);
+  testing::internal::CaptureStdout();
+  kept->reinit(
+    middles, {Point<3>(-0.5, 0., 0.), Point<3>(2., 0., 0.)}, MPI_COMM_SELF);
+  EXPECT_EQ(testing::internal::GetCapturedStdout().find("WARNING: "), 0U);
+  EXPECT_EQ(kept->correction(), 1.);
   std::filesystem::remove(file);
 }
 

@@ -53,11 +53,9 @@ namespace
       0.,
       1.,
       "-",
-      used_with("Loads/Recorded/Keep impulse = true",
-                "The factor applies only if the impulses differ by "
-                "less than this part: a larger difference means "
-                "different surfaces, and the factor would change "
-                "peaks that are right."));
+      "The factor applies only if the impulses differ by less than this part: "
+      "a larger difference, of which a WARNING tells, means different surfaces, "
+      "and the factor would change peaks that are right. 0: neither.");
   }
 
   /// Bounding box of the points of all ranks.
@@ -156,8 +154,8 @@ RecordedLoads::parse_parameters(ParameterHandler &prm)
   if (mirror != "none")
     for (unsigned int d = 0; d < 3; ++d)
       loads->mirrored_[d] = mirror.find("xyz"[d]) != std::string::npos;
-  if (prm.get_bool("Keep impulse"))
-    loads->largest_correction_ = read_double(prm, "Largest correction");
+  loads->keeps_impulse_ = prm.get_bool("Keep impulse");
+  loads->largest_correction_ = read_double(prm, "Largest correction");
   return loads;
 }
 
@@ -329,20 +327,19 @@ void RecordedLoads::choose_factor()
 {
   const double ratio =
     largest_mapped_impulse_ / std::max(largest_recorded_impulse_, 1e-300);
-  const bool keeps_impulse = largest_correction_ > 0.;
-  const bool corrects = std::abs(ratio - 1.) < largest_correction_;
-  factor_ = corrects ? 1. / ratio : 1.;
-  log_line((keeps_impulse && !corrects ? "WARNING: " : "") +
+  const bool is_near = std::abs(ratio - 1.) < largest_correction_;
+  const bool is_warned = !is_near && largest_correction_ > 0.;
+  factor_ = keeps_impulse_ && is_near ? 1. / ratio : 1.;
+  log_line((is_warned ? "WARNING: " : "") +
            std::string("Loads/Recorded: the loads on this body have ") +
            brief(ratio) +
            " times the recorded impulse at its largest; pressures are " +
            (factor_ == 1. ? "as recorded"
                           : "multiplied by " + brief(factor_) +
                               ", which makes the impulses equal") +
-           (corrects || !keeps_impulse
-              ? ""
-              : "; smaller cells of the blast at the skin bring the "
-                "surfaces together"));
+           (is_warned ? "; smaller cells of the blast at the skin bring the "
+                        "surfaces together"
+                      : ""));
 }
 
 

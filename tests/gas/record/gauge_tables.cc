@@ -45,7 +45,8 @@ std::map<std::string, bool> lower_limits(const std::string &table)
 GaugeBlast
 steady_load(const std::string &place, const double begin, const double end)
 {
-  GaugeBlast load{place, {1e5, 1e5 * (end - begin), begin, end - begin}, begin};
+  GaugeBlast load{
+    place, {1e5, 1e5 * (end - begin), begin, end - begin}, begin, {}};
   for (unsigned int i = 0; i <= 1000; ++i)
     load.overpressures.push_back(1e-5 * i >= begin && 1e-5 * i < end ? 1e5
                                                                      : 0.);

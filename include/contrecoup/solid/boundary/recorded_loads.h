@@ -73,6 +73,7 @@ private:
   double largest_distance_ = 0.;
   /// directions with a symmetry plane through 0
   std::array<bool, 3> mirrored_{};
+  bool keeps_impulse_ = false;
   double largest_correction_ = 0.; ///< of impulses, relative; 0: none
   double factor_ = 1.;             ///< on all pressures
 
