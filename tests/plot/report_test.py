@@ -1325,9 +1325,9 @@ class ReportTest(unittest.TestCase):
             tiny_scene.write(path, text.replace(before, after))
         text = text_of(Made(folder).page)
         self.expect(
-            text, "2.12 % of the body's energy is missing (limit 1 %) and 22 % of "
+            text, "2.12 % of the body's energy is missing (limit 1 %) and 21.9 % of "
             "the largest internal energy of a tissue was stored in hourglass "
-            "modes (limit 10 %), 22 % in skeleton: stresses there are less "
+            "modes (limit 10 %), 21.9 % in skeleton: stresses there are less "
             "certain.",
             "The run leaves out afterburn, which would raise the incident "
             "peak by at most 28 %")
