@@ -1205,7 +1205,7 @@ class ReportTest(unittest.TestCase):
             "The run assumes 3.5 MJ/kg of afterburn (at most 7.3 MJ/kg is "
             "possible), which raises the incident peak by at most 28 % and the incident "
             "impulse by at most 32 %.",
-            "7.7 % of the largest internal energy of a tissue was stored in "
+            "7.70 % of the largest internal energy of a tissue was stored in "
             "hourglass modes (limit 10 %).",
             "Beyond its limit: number of cells in the positive phase of the wave at "
             "the body (12.3; limit: at least 15).")
