@@ -418,6 +418,7 @@ class SceneTest(SelfTest):
         self.rejects("other tissues changed nothing", *options, flaw="deaf")
         self.rejects("which is not said", *options, flaw="wordless")
         self.rejects("report", *options, flaw="silent")
+        self.rejects("coarser_run is {", *options, flaw="lingering")
         self.rejects("blast has a body of 50", *options, flaw="heavy")
         self.rejects("height and mass of the charge", *options, flaw="low")
         self.rejects("false gave 1", *options, flaw="unrepeatable")

@@ -252,6 +252,8 @@ def write_biomechanics(folder):
             "energy_residual": with_unit(3.5e-6, "-"),
             "hourglass_part": with_unit(0.077, "-"),
             "loads_impulse_factor": with_unit(0.984, "-"),
+            "loads_recorded_impulse_x": with_unit(-118.4, "N s"),
+            "loads_mapped_impulse_x": with_unit(-118.3, "N s"),
             "loads_largest_recorded_impulse": with_unit(118.4, "N s"),
             "loads_largest_mapped_impulse": with_unit(118.3, "N s")}}))
     write_history(folder, ("brain",))

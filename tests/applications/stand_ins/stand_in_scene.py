@@ -169,7 +169,11 @@ def main():
     for stage in STAGES[1:]:
         statuses["coarser_" + stage] = {"name": "coarser_" + stage,
                                         "status": statuses[stage]["status"]}
+    has_coarser = entries.get("Scene/Error estimate") != "false" \
+        or flaw == "lingering"
     write(json.dumps({"stages": list(statuses.values()), "charge_mass": 3.,
+                      "coarser_run": {"cell_ratio": 2., "element_ratio": 5. / 3.}
+                      if has_coarser else None, "table_comparison": [],
                       "charge_place": [1., 0., 2.],
                       "plan": rows_of(OWN_NAMES), "audit": rows_of(OWN_NAMES),
                       "height": 1. if flaw == "low" else 2.,
