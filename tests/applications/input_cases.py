@@ -549,6 +549,12 @@ def thin_layers():
            "of at most 2.3 mm closes them")
 
 
+def bar_of_lung():
+    """A body with a lung and nothing else."""
+    return shipped(BAR, entry("Injury/Active", "true"),
+                   entry("Injury/Chest", "0, 0, 0"), entry("Mesh/Tissue", "lung"))
+
+
 def without_brain():
     """Bodies that get no measures of the brain."""
     yield ("scene without a brain", "scene",
@@ -558,9 +564,7 @@ def without_brain():
                    entry("Body/Shift", "0, 0, 1")),
            "  the body has no brain: brain and head get no measures of injury")
     yield ("bar without a brain", "biomechanics",
-           shipped(BAR, entry("Injury/Active", "true"),
-                   entry("Injury/Chest", "0, 0, 0"),
-                   entry("Mesh/Tissue", "lung")),
+           bar_of_lung(),
            "none: brain and head get no measures of injury")
     yield ("head without a brain", "head_impact",
            shipped(HEAD, entry("Injury/Brain", "")),
@@ -570,9 +574,7 @@ def without_brain():
 def other_masses():
     """Lungs that are judged by another mass than that of the body."""
     yield ("mass of a body of lung", "biomechanics",
-           shipped(BAR, entry("Injury/Active", "true"),
-                   entry("Injury/Chest", "0, 0, 0"),
-                   entry("Mesh/Tissue", "lung")),
+           bar_of_lung(),
            "WARNING: body_mass: relative difference of the body's mass is "
            "estimated at ")
     yield ("mass of a phantom in the gas", "blast",

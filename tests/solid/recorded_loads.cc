@@ -30,13 +30,15 @@ void write_loads(const std::string &file)
 
 std::shared_ptr<solid::RecordedLoads> read_loads(const std::string &file,
                                                  const double interval = 0.,
-                                                 const std::string &most = "")
+                                                 const std::string &most = "",
+                                                 const bool keeps = true)
 {
   ParameterHandler prm;
   solid::RecordedLoads::declare_parameters(prm);
   prm.set("File", file);
   prm.set("Largest distance", 0.4);
   prm.set("Averaging interval", interval);
+  prm.set("Keep impulse", keeps);
   if (!most.empty())
     prm.set("Largest correction", most);
   return solid::RecordedLoads::parse_parameters(prm);
@@ -110,12 +112,7 @@ TEST(RecordedLoads, ImpulseIsKept)
     EXPECT_NEAR(audited(*chosen, "loads_impulse_factor"), factor, 1e-12);
   }
   // Surfaces that differ are warned of in any case.
-  ParameterHandler prm;
-  solid::RecordedLoads::declare_parameters(prm);
-  prm.set("File", file);
-  prm.set("Largest distance", 0.4);
-  prm.set("Keep impulse", false);
-  const auto kept = solid::RecordedLoads::parse_parameters(prm);
+  const auto kept = read_loads(file, 0., "", false);
   testing::internal::CaptureStdout();
   kept->reinit(
     middles, {Point<3>(-0.5, 0., 0.), Point<3>(2., 0., 0.)}, MPI_COMM_SELF);

@@ -11,7 +11,7 @@ namespace contrecoup
 {
 /**
  * dealii::MappingFE for meshes with hanging faces, without area elements
- * (JxW) on parts of faces: deal.II has not implemented these, 9.4 gives them
+ * (JxW) on parts of faces: deal.II has none of these, 9.4 gives them
  * those of the whole face and 9.6 ends the program. MatrixFree asks for them,
  * but takes those of the smaller cell.
  */

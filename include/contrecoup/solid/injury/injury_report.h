@@ -36,7 +36,7 @@ public:
   /// beside that of @p body, by which lungs are judged. Collective.
   std::vector<Assumption> assumptions(const SolidBody<Real> &body) const;
 
-  /// Names of measures with thresholds that are not the published ones.
+  /// Thresholds that are not the published ones.
   const OwnThresholds &own_thresholds() const
   {
     return own_;
