@@ -425,15 +425,15 @@ class ReportTest(unittest.TestCase):
     def test_error_of_loads_alone(self):
         """From both runs where no gauge stands on the skin, else unknown."""
         scene = Scene(self.whole)
-        peak = float(scene.loads().measure("peak").max())
-        impulse = float(scene.loads().measure("impulse").max())
+        peak, impulse = (scene.loads().largest(name)
+                         for name in ("peak", "impulse"))
         for factors, words in (
                 ((0.9, 1.), "kPa ± 16\u00a0%, its impulse"),
                 (None, "; numerical error unknown.")):
             scene.coarser = None if factors is None else types.SimpleNamespace(
                 loads=lambda of=factors: types.SimpleNamespace(
-                    areas=[1.], measure=lambda name: np.array(
-                        [peak * of[0] if name == "peak" else impulse])))
+                    areas=[1.], largest=lambda name:
+                    peak * of[0] if name == "peak" else impulse))
             self.assertIn(words.replace("± ", "±\u00a0"),
                           headline._loads_alone(scene).replace(
                               "\u00a0kPa", " kPa"))
@@ -972,15 +972,13 @@ class ReportTest(unittest.TestCase):
 
     def test_wave_at_no_named_place(self):
         """The wave on the skin is told, and that it does not come."""
-        for arrivals, words in (
-                ([2e-3, 1e-3, 0.], "reaches the skin at 1.00 ms; no place"),
-                ([0., 0.], "does not reach the skin"), (None, "does not reach")):
-            known = None if arrivals is None else types.SimpleNamespace(
-                measure=lambda _, of=arrivals: np.array(of),
-                arrived=lambda of=arrivals: np.array(of) > 0.)
-            self.assertIn(words, scene_sections._unnamed(
-                types.SimpleNamespace(loads=lambda of=known: of)).replace(
-                    "\u00a0", " "))
+        for first, words in ((1e-3, "reaches the skin at 1.00 ms; no place"),
+                             (None, "does not reach the body")):
+            self.assertIn(words, scene_sections._unnamed(types.SimpleNamespace(
+                loads=lambda of=first: types.SimpleNamespace(
+                    first_arrival=lambda: of))).replace("\u00a0", " "))
+        self.assertIn("does not reach", scene_sections._unnamed(
+            types.SimpleNamespace(loads=lambda: None)))
 
     def test_own_thresholds(self):
         """They change verdict and words, and count as the user's own, also
@@ -1808,18 +1806,33 @@ class ReportTest(unittest.TestCase):
         self.assertEqual(wave_times.denser(range(30), 4, 2.), [0, 3, 12, 29])
 
     def test_blast_that_does_not_arrive(self):
-        """Where nothing is to be seen, a line says why."""
-        folder = self.copy_without()
-        path = os.path.join(folder, "blast", "loads.h5")
-        with h5py.File(path, "r+") as file:
-            for name in ("arrival", "peak", "impulse"):
-                file[name][...] = 0.
-        made = Made(folder)
-        self.assertEqual(made.code, 0, made.errors)
-        words = text_of(made.page)
-        self.assertEqual(words.count("The blast does not reach the body before "
-                                     "the run ends."), 3)
-        self.assertFalse("Peak overpressure on the skin." in words)
+        """Where nothing is to be seen, a line says why; what is not known of a
+        part of the skin is left out."""
+        peaks = Scene(self.whole).loads().measure("peak")
+        for facets, unknown, count in ((slice(3), np.nan, 0),
+                                       (slice(None), np.nan, 3),
+                                       (slice(None), 0., 3)):
+            folder = self.copy_without()
+            path = os.path.join(folder, "blast", "loads.h5")
+            with h5py.File(path, "r+") as file:
+                for name in ("arrival", "peak", "impulse"):
+                    file[name][facets] = unknown
+            known = loads.Loads(path)
+            self.assertEqual(np.isnan(known.measure("peak")).sum(),
+                             3 if count == 0 else len(peaks))
+            self.assertEqual(known.largest("peak"),
+                             peaks[3:].max() if count == 0 else 0.)
+            self.assertEqual(known.first_arrival() is None, count > 0)
+            made = Made(folder)
+            self.assertEqual(made.code, 0, made.errors)
+            words = text_of(made.page)
+            self.assertEqual(words.count("The blast does not reach the body "
+                                         "before the run ends."), count)
+            self.assertEqual("Peak overpressure on the skin." in words,
+                             count == 0)
+            self.assertEqual(headline._loads_alone(Scene(folder)).startswith(
+                "The blast does not reach"), count > 0)
+            self.assertNotRegex(words, r"\bnan\b")
 
     def test_marks_of_verdicts(self):
         """Each part with a verdict has a mark, where one of its places is seen

@@ -38,9 +38,7 @@ def draw(folder, pictures):
 def pick_times(loads):
     """Times from when the front meets the body until it has passed it, denser
     at the beginning."""
-    arrivals = loads.measure("arrival")
-    arrivals = arrivals[arrivals > 0.]
-    first, last = np.percentile(arrivals, [2., 98.])
+    first, last = np.nanpercentile(loads.measure("arrival"), [2., 98.])
     parts = np.linspace(0.15, 1., MOST_TIMES) ** 1.5
     times = first + 1.6 * (last - first) * parts
     return np.unique(np.minimum(times, loads.times[-1]))
@@ -77,12 +75,11 @@ def draw_times(loads, views, path, one_scale=False):
 def draw_measures(loads, views, path):
     names = [name for name in ("peak", "impulse", "arrival") if name in loads]
     figure, axes = _panels(views, 1, len(names))
-    arrived = loads.arrived()
     titles = {"peak": "peak overpressure", "impulse": "positive impulse",
               "arrival": "arrival"}
     units = {"peak": "Pa", "impulse": "Pa s", "arrival": "s"}
     for axis, name in zip(axes, names):
-        values = np.where(arrived, loads.measure(name), np.nan)
+        values = loads.measure(name)
         axis.set_title(titles[name])
         low, high = np.nanpercentile(values, [1., 99.5])
         factor, unit = style.scale_unit(units[name], high)
@@ -119,9 +116,8 @@ class Mark:
 def verdict_figure(loads, views, marks):
     """The body from the two sides that the blast loads most, coloured by its
     peak overpressure, with the parts that have a verdict."""
-    values = np.where(loads.arrived(), loads.measure("peak"),
-                      np.nan)
-    factor, unit = style.scale_unit("Pa", np.nanmax(values, initial=0.))
+    values = loads.measure("peak")
+    factor, unit = style.scale_unit("Pa", loads.largest("peak"))
     low, high = np.nanpercentile(values, [1., 99.5]) * factor
     norm = Normalize(min(low, 0.), high if high > low else low + 1.)
     sides = views.loaded_sides(np.nan_to_num(values) * loads.areas)

@@ -61,12 +61,24 @@ class Loads:
     def __contains__(self, name):
         return name in self.file
 
-    def measure(self, name):
-        return self.file[name][:]
-
     def arrived(self):
         """Whether the blast reaches each facet."""
-        return self.measure("arrival") > 0.
+        return self.file["arrival"][:] > 0.
+
+    def measure(self, name):
+        """Of all facets, not a number where the blast does not arrive; files
+        of before have zeros there."""
+        return np.where(self.arrived(), self.file[name][:], np.nan)
+
+    def largest(self, name):
+        """Value of a measure; 0 where the blast arrives nowhere."""
+        return float(self.file[name][:].max(
+            initial=0., where=self.arrived()))
+
+    def first_arrival(self):
+        """Of the blast at any facet [s], or None."""
+        times = self.file["arrival"][self.arrived()]
+        return float(times.min()) if times.size else None
 
     def overpressure(self, time):
         """Sample that a time is in, for all facets."""

@@ -10,7 +10,7 @@ from plot.readers import files, loads
 from plot.analysis import person, signals, wave_times
 from plot.figures import (body_loads, body_views, injury_maps, plane_cuts,
                           style)
-from plot.report import error_estimate, injury_thresholds, page
+from plot.report import error_estimate, injury_thresholds, page, unfinished
 from plot.report.injury_thresholds import KNOWN
 
 # Of maps of people: the measure with thresholds, what it is called, and the
@@ -144,8 +144,7 @@ def _mass_of_people(scene):
 # Gauges that stand for a part with a verdict, in order.
 PLACES = {"eardrums": ("left ear", "right ear"), "lungs": ("chest", "back"),
           "brain": ("forehead", "vertex")}
-NOT_REACHED = page.paragraph("The blast does not reach the body before the run "
-                             "ends.", kind="note")
+NOT_REACHED = page.paragraph(unfinished.NOT_REACHED, kind="note")
 COLOURS = {"good": "#1f6b3a", "mid": "#8a5a00", "bad": "#a12a1c",
            "none": style.GREY}
 
@@ -169,7 +168,7 @@ def verdict_figure(scene, verdicts):
                                          one.label(), COLOURS[one.kind]))
     with files.reading(scene.blast.path("loads.h5")):
         picture = body_loads.verdict_figure(known, views, marks)
-        largest = page.quantity(float(known.measure("peak").max()), "Pa")
+        largest = page.quantity(known.largest("peak"), "Pa")
     return page.figure(
         picture, "The body from the sides that the blast loads most, coloured "
         f"by the peak overpressure, {largest} at most"
@@ -206,10 +205,7 @@ def views_of(scene):
 def _pick(scene, cuts):
     """Six times around and after the arrival at the body, denser at first."""
     known = scene.loads()
-    begin = 0.
-    if known is not None and np.any(known.measure("arrival") > 0.):
-        arrivals = known.measure("arrival")
-        begin = float(arrivals[arrivals > 0.].min())
+    begin = (known and known.first_arrival()) or 0.
     # The last one before the arrival is the first picture.
     first = max([i for i, cut in enumerate(cuts) if cut.time < begin] or [0])
     later = wave_times.of_planes(cuts[first:], wave_times.SEEN)
@@ -228,7 +224,7 @@ def skin(scene):
         moments = body_loads.pick_times(known)
         times = page.drawn(body_loads.draw_times, known, views, one_scale=True)
         measures = page.drawn(body_loads.draw_measures, known, views)
-        largest = page.quantity(float(known.measure("peak").max()), "Pa")
+        largest = page.quantity(known.largest("peak"), "Pa")
     bare = "" if views.bare_part() < SEEN_BARE else (
         " Even grey: skin that no gas reaches, as that on the ground.")
     return [

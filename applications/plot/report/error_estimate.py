@@ -118,7 +118,7 @@ def of_skin(scene, name):
     """Largest value of a measure of the loads over the skin, in the coarser run
     and in this one, and its relative error; None for what is unknown."""
     values = [None if known is None or not len(known.areas) else
-              float(known.measure(name).max()) for known in (
+              known.largest(name) for known in (
                   scene.coarser and scene.coarser.loads(), scene.loads())]
     return (*values, max(LEAST, factor(scene, "lung_")[0]
                          * abs(values[0] / values[1] - 1.))

@@ -251,6 +251,8 @@ def _loads_alone(scene):
     known = scene.loads()
     if known is None:
         return "The loads on the skin are unknown: loads.h5 is missing."
+    if not known.arrived().any():
+        return unfinished.NOT_REACHED
     peak, impulse = (error_estimate.of_skin(scene, name)[1:]
                      for name in ("peak", "impulse"))
     unsure = "; numerical error unknown" if None in (*peak, *impulse) else ""

@@ -11,7 +11,7 @@ from matplotlib.patches import Circle
 from plot.analysis import person, signals, tissue_places
 from plot.readers import files
 from plot.figures import body_views, style
-from plot.report import page, reflections
+from plot.report import page, reflections, unfinished
 
 # kg/m^3, for the size of the charge on the drawing.
 EXPLOSIVE_DENSITY = {"tnt": 1630., "c-4": 1601., "petn": 1770.}
@@ -181,9 +181,8 @@ def _ground_is_late(scene):
     target, end = _target(scene), scene.fact("end_time")
     if target is None or end is None:
         return False
-    arrivals = scene.loads().measure("arrival")
-    return bool(np.any(arrivals > 0.)) and reflections.is_late(
-        scene, target, float(arrivals[arrivals > 0.].min()), end)
+    first = scene.loads().first_arrival()
+    return first is not None and reflections.is_late(scene, target, first, end)
 
 
 def _ground_is_hidden(scene):
@@ -447,9 +446,9 @@ def _timeline_chart(scene, found):
 def _unnamed(scene):
     """What is known of a wave that arrives at no named place."""
     known = scene.loads()
-    if known is None or not known.arrived().any():
-        return "The wave does not reach the skin before the end of the run."
-    first = float(known.measure("arrival")[known.arrived()].min())
+    first = known and known.first_arrival()
+    if first is None:
+        return unfinished.NOT_REACHED
     return (f"The wave reaches the skin at {page.milliseconds(first)}; no place "
             "on the skin or in the tissue is named.")
 

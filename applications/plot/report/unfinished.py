@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Contrecoup authors
-"""What a report says of stages that have not come to their end."""
+"""What a report says of stages that have not come to their end, and of a blast
+that has not come to the body."""
 
 from plot.readers import files
 from plot.readers.scene import STAGES
 from plot.report import page
 
 WHOLE = (None, "finished", "reused")
+NOT_REACHED = "The blast does not reach the body before the run ends."
 
 
 def words(scene, name):

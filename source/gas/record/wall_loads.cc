@@ -8,6 +8,7 @@
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/timers.h>
 #include <contrecoup/base/system/version.h>
+#include <contrecoup/gas/record/blast_maps.h>
 #include <contrecoup/gas/record/wall_loads.h>
 #include <contrecoup/gas/scene/scene_places.h>
 #include <contrecoup/io/file/checked_file.h>
@@ -345,9 +346,10 @@ std::string WallLoads<dim>::write_skin(const std::string &folder,
                                        {"arrival", "s", {}}};
   for (const Record &record : records_)
   {
-    const BlastMeasures measures = record.blast.measures(time);
+    const auto [peak, impulse, arrival, duration] =
+      recorded_map_values(record.blast.measures(time));
     const std::array<double, 4> values = {
-      {record.last, measures.peak, measures.impulse, measures.arrival}};
+      {record.last, peak, impulse, arrival}};
     for (std::size_t k = 0; k < values.size(); ++k)
       fields[k].values.push_back(static_cast<float>(values[k]));
   }

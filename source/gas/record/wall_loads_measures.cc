@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/gas/record/blast_maps.h>
 #include <contrecoup/gas/record/wall_loads.h>
 #include <contrecoup/io/output/load_file.h>
 
@@ -16,12 +17,10 @@ void WallLoads<dim>::write_measures()
   double highest = 0.;
   for (const Record &record : records_)
   {
-    const BlastMeasures measures = record.blast.measures(totals_.time);
-    values[0].push_back(measures.peak);
-    values[1].push_back(measures.impulse);
-    values[2].push_back(measures.arrival);
-    values[3].push_back(measures.duration);
-    highest = std::max(highest, measures.peak);
+    const auto known = recorded_map_values(record.blast.measures(totals_.time));
+    for (std::size_t k = 0; k < values.size(); ++k)
+      values[k].push_back(known[k]);
+    highest = std::max(highest, record.blast.peak);
   }
   totals_.peak_loss = gauges_.largest_peak_loss();
   for (const Record &record : records_)

@@ -42,7 +42,10 @@ namespace io
         "Pa",
         "mean overpressure since the time before, of the first sample since "
         "time 0"}},
-      {"peak", {{"facet"}, "Pa", "largest overpressure of any time step"}},
+      {"peak",
+       {{"facet"},
+        "Pa",
+        "largest overpressure of any time step; nan where no blast has come"}},
       {"impulse",
        {{"facet"}, "Pa s", "integral of overpressure, positive phase"}},
       {"arrival", {{"facet"}, "s", "time at which the blast arrives"}},

@@ -1,11 +1,16 @@
 """What tests of recorded loads prove; kinds of run_case.py."""
 
 import bisect
+import glob
 import math
 import os
 import re
 
-from case import check_bound, overrides, read_columns, read_summary, read_text
+import numpy
+
+import samples as numbers
+from case import (check_bound, overrides, read_columns, read_summary,
+                  read_text, require)
 from summaries import values_of
 
 ENTRY = "Loads/Smallest overpressure"
@@ -158,15 +163,24 @@ def domain(case):
 def facet_loads(case):
     """The samples in loads.h5 push the body as hard as the summary says: bounds
     of the relative "file_difference" of their impulse, taken with the areas,
-    normals and factors of the file, and of what the summary has."""
+    normals and factors of the file, and of what the summary has. The skin in
+    fields/ has the same measures, which are unknown before the blast comes."""
     import h5py
     output = case.folder("run")
-    case.run(output)
+    case.run(output, extra=["--set", "Output/Fields=true"])
     summary = read_summary(output)
     with h5py.File(os.path.join(output, "loads.h5")) as file:
         times, samples = list(file["time"]), file["overpressure"][:]
         areas, normals = file["area"][:], file["normal"][:]
         words = file.attrs["factors_to_whole_body"].decode()
+        skins = [numbers.read(path) for path in sorted(glob.glob(
+            os.path.join(output, "fields", "skin_*.vtp")))]
+        for name in ("peak", "impulse", "arrival"):
+            require(numpy.isnan(skins[0][name]).all()
+                    and numpy.array_equal(skins[-1][name], numpy.float32(
+                        file[name][:]), equal_nan=True),
+                    f"{name} of the skin is not that of loads.h5")
+        require(not skins[0]["overpressure"].any(), "the skin begins loaded")
     steps = [end - begin for begin, end in zip([0.] + times, times)]
     found = -(samples @ steps * areas) @ normals * [
         float(word) for word in words.split(",")]

@@ -2,6 +2,8 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/gas/run/gas_simulation.h>
+#include <contrecoup/io/file/hdf5_input.h>
+#include <contrecoup/io/file/temporary_folder.h>
 
 #include "../../named_value.h"
 #include "../gas_run.h"
@@ -113,4 +115,34 @@ TEST(WallLoads, OverpressuresAfterEachStepMakeTheImpulse)
   EXPECT_NEAR(value_of(blast.results(), "loads_impulse_x"),
               4. * impulse,
               1e-12 * std::abs(impulse));
+}
+
+
+TEST(WallLoads, KnowNothingWhereNoBlastHasCome)
+{
+  const io::TemporaryFolder folder;
+  GasSimulation<3> blast(MPI_COMM_WORLD);
+  set_up(blast);
+  blast.set_output_folder(folder.path());
+  while (blast.time() < 0.1)
+    blast.advance(1e10);
+  blast.finish(folder.path());
+  if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
+    return;
+  const io::Hdf5Input file(folder.path() + "/loads.h5");
+  const std::vector<double> peaks = file.numbers("peak"),
+                            centroids = file.numbers("centroid");
+  for (const char *name : {"peak", "impulse", "arrival", "duration"})
+  {
+    const std::vector<double> values = file.numbers(name);
+    ASSERT_EQ(values.size(), peaks.size());
+    for (std::size_t i = 0; i < values.size(); ++i)
+    {
+      EXPECT_EQ(std::isnan(values[i]), std::isnan(peaks[i]));
+      EXPECT_FALSE(values[i] <= 0.);
+      // The shock has passed the front of the sphere, and not its middle.
+      EXPECT_TRUE(std::isnan(values[i]) ? centroids[3 * i] > -0.45
+                                        : centroids[3 * i] < 0.);
+    }
+  }
 }

@@ -72,8 +72,8 @@ public:
   /// Combines the records of all ranks for write_skin(). Collective.
   void gather_skin();
   /// Writes skin_NNNN.vtp on the first rank: the facets with their
-  /// overpressure, and peak, impulse and arrival so far; see
-  /// WallFacets::skin(). Call after gather_skin().
+  /// overpressure, and peak, impulse and arrival so far, not a number where no
+  /// blast has come; see WallFacets::skin(). Call after gather_skin().
   /// @return name of the file; empty without loads
   std::string write_skin(const std::string &folder,
                          const unsigned int index,

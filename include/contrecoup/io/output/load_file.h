@@ -18,12 +18,13 @@ namespace io
    * of the facets: "centroid" and "normal" (outward) [facet][3] in m, "area"
    * in m^2 (2-D: m, per m of depth), "overpressure" [facet][time] in Pa as
    * float, chunked and compressed, "peak" in Pa, "impulse" of the positive
-   * phase in Pa s, "arrival" and "duration" in s; and "time" in s. Each
-   * overpressure sample is the mean since the previous time, the first one
-   * since time 0, so that the integral over time is exact. If the corners of
-   * the facets are known, also "vertex" [vertex][3] in m and "connectivity",
-   * in the form of XDMF's mixed topology: of each facet its type (3: polygon;
-   * in 2-D 2: line), the number of its corners, and their vertices.
+   * phase in Pa s, "arrival" and "duration" in s, all four not a number where
+   * no blast has come; and "time" in s. Each overpressure sample is the mean
+   * since the previous time, the first one since time 0, so that the integral
+   * over time is exact. If the corners of the facets are known, also "vertex"
+   * [vertex][3] in m and "connectivity", in the form of XDMF's mixed topology:
+   * of each facet its type (3: polygon; in 2-D 2: line), the number of its
+   * corners, and their vertices.
    *
    * Each dataset has attributes "units", "description" and "axes", such as
    * "facet x time", and HDF5's labels of dimensions with the same names.
