@@ -29,6 +29,7 @@ void declare_all(ParameterHandler &prm)
     declare_list(prm, "Weights", "1, 2", 1, 3, 0., 9., "-", "Of each.");
   }
   declare_points(prm, "Places", "0,0; 1,2.5", "m", "Of probes.");
+  declare_list(prm, "Normal", "1, 0, 0", 3, 3, -1., 1., "-", "Of all.");
   declare_file(prm, "Table", "", "Numbers.");
   const Section section(prm, "Region *");
   declare_double(prm, "Radius", "1", 0., unbounded, "m", "Of the ball.");
@@ -109,6 +110,9 @@ TEST(Parameters, SaysWhatIsAllowed)
   EXPECT_EQ(refusal("Flux/Weights=1,10"),
             "--set: entry \"Flux/Weights\" cannot be \"1,10\"; allowed: 1 to 3 "
             "values separated by commas, each a number from 0 to 9");
+  EXPECT_EQ(refusal("Normal=1,0"),
+            "--set: entry \"Normal\" cannot be \"1,0\"; allowed: 3 "
+            "values separated by commas, each a number from -1 to 1");
   EXPECT_EQ(refusal("Adapt=maybe"),
             "--set: entry \"Adapt\" cannot be \"maybe\"; allowed: true, false");
   EXPECT_NE(refusal("Places=1,2,3,4").find("points of one to three numbers"),

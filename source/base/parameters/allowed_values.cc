@@ -55,8 +55,11 @@ std::string plain_words(const std::string &pattern)
     const std::string count = between(pattern, "> of length ", " (inclusive)");
     const std::size_t dots = count.find("...");
     const std::string most = count.substr(dots + 3);
-    return count.substr(0, dots) +
-           (most == "4294967295" ? " or more" : " to " + most) +
+    const std::string least = count.substr(0, dots);
+    return least +
+           (most == "4294967295" ? " or more"
+            : most == least      ? ""
+                                 : " to " + most) +
            " values separated by commas, each " +
            plain_words(between(pattern, "[List of <", "> of length"));
   }
