@@ -108,7 +108,7 @@ namespace
     explosive.tnt = {ratio * base.tnt.pressure,
                      ratio * base.tnt.impulse,
                      false,
-                     "that of " + base.name + " times the ratio of energies"};
+                     "that of " + base.title + " times the ratio of energies"};
     Afterburn &afterburn = explosive.afterburn;
     afterburn.largest = std::max(0., afterburn.largest + before - energy);
     afterburn.energy = std::min(afterburn.energy, afterburn.largest);
@@ -155,7 +155,7 @@ void CustomExplosive::parse_parameters(const dealii::ParameterHandler &prm,
   like = prm.get("Like");
   Explosive base = find_explosive(like);
   explosive = base;
-  explosive.name = "custom";
+  explosive.name = explosive.title = "custom";
   explosive.source = section;
   changes.clear();
   bool has_other_constants = false;
@@ -176,8 +176,8 @@ void CustomExplosive::parse_parameters(const dealii::ParameterHandler &prm,
     has_other_constants = has_other_constants || entry.jwl != nullptr;
   }
   if (changes.empty())
-    log_line("WARNING: " + section + ": no entry differs from " + like +
-             ", so that the explosive is " + like);
+    log_line("WARNING: " + section + ": no entry differs from " + base.title +
+             ", so that the explosive is " + base.title);
   adapt_to_energy(base, explosive);
   require_real_sound_speed(explosive.jwl, section);
 }
@@ -205,7 +205,7 @@ void check_afterburn(const Explosive &explosive,
       (energy >= least && energy <= most))
     return;
   throw InputError(entry + " = " + brief(energy) + " J/kg: the products of " +
-                   explosive.name + " release at most " + brief(most) +
+                   explosive.title + " release at most " + brief(most) +
                    " J/kg when all of them burn in air; allowed: 0 for none" +
                    (most < least ? ""
                                  : ", or a number from " + brief(least) +

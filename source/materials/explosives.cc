@@ -20,7 +20,7 @@ namespace
   /// A row of the library, in units of the literature.
   struct Row
   {
-    std::string name;
+    std::string name, title;
     double density;             ///< [kg/m^3]
     double A, B, R1, R2, omega; ///< [GPa], [-]
     double energy;              ///< per volume [GPa]
@@ -43,22 +43,22 @@ namespace
                                "(Dobratz and Crawford 1985) in common use";
     // clang-format off
     static const std::vector<Row> table{
-      {"tnt", 1630., 373.8, 3.747, 4.15, 0.90, 0.35, 6.0, 6930., 21.0, 14.5, 3.5,
+      {"tnt", "TNT", 1630., 373.8, 3.747, 4.15, 0.90, 0.35, 6.0, 6930., 21.0, 14.5, 3.5,
        "Tan, Saunders and Bagchi, COUPLED PROBLEMS 2017, table 2 (3.68 "
        "MJ/kg)"},
-      {"tnt dobratz", 1630., 371.2, 3.231, 4.15, 0.95, 0.30, 7.0, 6930., 21.0, 14.5, 3.0,
+      {"tnt dobratz", "TNT Dobratz", 1630., 371.2, 3.231, 4.15, 0.95, 0.30, 7.0, 6930., 21.0, 14.5, 3.0,
        map + unseen},
-      {"c-4", 1601., 609.77, 12.95, 4.5, 1.4, 0.25, 9.0, 8193., 28.0, 11.6, 3.5,
+      {"c-4", "C-4", 1601., 609.77, 12.95, 4.5, 1.4, 0.25, 9.0, 8193., 28.0, 11.6, 3.5,
        foam + "; detonation speed: " + common + unseen},
-      {"composition b", 1717., 524.23, 7.678, 4.2, 1.1, 0.34, 8.5, 7980., 29.5, 11.1, not_fitted,
+      {"composition b", "composition B", 1717., 524.23, 7.678, 4.2, 1.1, 0.34, 8.5, 7980., 29.5, 11.1, not_fitted,
        common + unseen},
-      {"petn 1.77", 1770., 617.0, 16.926, 4.4, 1.2, 0.25, 10.1, 8300., 33.5, 7.58, not_fitted,
+      {"petn 1.77", "PETN 1.77", 1770., 617.0, 16.926, 4.4, 1.2, 0.25, 10.1, 8300., 33.5, 7.58, not_fitted,
        map},
-      {"petn 1.50", 1500., 625.3, 23.29, 5.25, 1.6, 0.28, 8.56, 7450., 22.0, 7.58, not_fitted,
+      {"petn 1.50", "PETN 1.50", 1500., 625.3, 23.29, 5.25, 1.6, 0.28, 8.56, 7450., 22.0, 7.58, not_fitted,
        common + unseen},
-      {"anfo", 931., 49.46, 1.891, 3.907, 1.118, 0.3333, 2.484, 4160., 5.15, 2.67, 0.,
+      {"anfo", "ANFO", 931., 49.46, 1.891, 3.907, 1.118, 0.3333, 2.484, 4160., 5.15, 2.67, 0.,
        map + "; energy, detonation speed and pressure: in common use" + unseen},
-      {"pentolite", 1700., 540.94, 9.373, 4.5, 1.1, 0.35, 8.1, 7530., 25.5, 11.0, not_fitted,
+      {"pentolite", "pentolite", 1700., 540.94, 9.373, 4.5, 1.1, 0.35, 8.1, 7530., 25.5, 11.0, not_fitted,
        common + unseen}};
     // clang-format on
     return table;
@@ -122,6 +122,7 @@ namespace
     jwl.energy_density = row.energy * gigapascal;
     jwl.specific_heat = volumetric_heat / row.density;
     return {row.name,
+            row.title,
             jwl,
             row.detonation_speed,
             row.cj_pressure * gigapascal,
@@ -158,6 +159,16 @@ std::vector<std::string> explosive_names()
   for (const Explosive &explosive : explosive_library())
     names.push_back(explosive.name);
   return names;
+}
+
+std::string in_words(const TntEquivalence &tnt)
+{
+  const std::string of_pressure =
+    brief(tnt.pressure, 3) + " times its mass of TNT";
+  return tnt.pressure == tnt.impulse
+           ? of_pressure
+           : of_pressure + " for pressures, " + brief(tnt.impulse, 3) +
+               " for impulses";
 }
 
 const Explosive &find_explosive(const std::string &name)
@@ -209,7 +220,7 @@ std::string describe_detonation(const Explosive &explosive)
 {
   const double allowed = 1e-3;
   const ChapmanJouguetState state = chapman_jouguet(explosive.jwl);
-  std::string line = "Explosive " + explosive.name +
+  std::string line = "Explosive " + explosive.title +
                      ": its constants give a detonation speed of " +
                      brief(state.detonation_speed, 5) +
                      " m/s and a Chapman-Jouguet pressure of " +

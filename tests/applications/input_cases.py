@@ -285,7 +285,7 @@ def refused_scenes():
             ("Charge/Afterburn energy", "2",
              "0 for none, or a number from 1e+04 to 5.979e+06"),
             ("Charge/Afterburn energy", "5e7",
-             "the products of c-4 release at most 5.979e+06 J/kg"),
+             "the products of C-4 release at most 5.979e+06 J/kg"),
             ("Tissues/Tissue brian/Density", "100",
              'Tissues/Tissue brian: no tissue of the library has this name; did '
              'you mean "brain"? (known are soft tissue, skin'),
@@ -459,7 +459,7 @@ def accepted():
                "WARNING: Initial state/Background: " + said)
     yield ("an explosive of one's own like tnt", "scene",
            shipped(SCENE, near, entry("Charge/Explosive", "custom")),
-           "WARNING: Charge/Custom explosive: no entry differs from tnt")
+           "WARNING: Charge/Custom explosive: no entry differs from TNT")
     yield ("a tissue changed in anatomy", "anatomy",
            shipped(ANATOMY, entry("Tissues/Tissue skeleton/Density", "1900")),
            "changed: skeleton with Density = 1900 kg/m^3 instead of 1300")

@@ -149,7 +149,7 @@ TEST(FirstAnswer, SaysWhereTheTablesEnd)
 {
   const auto lines = answer_for(1e-6);
   ASSERT_EQ(lines.size(), 2U);
-  EXPECT_NE(lines[0].find("do not cover 1e-06 kg of tnt at 2 m, but no more "
+  EXPECT_NE(lines[0].find("do not cover 1e-06 kg of TNT at 2 m, but no more "
                           "than 0.4 m"),
             std::string::npos)
     << lines[0];

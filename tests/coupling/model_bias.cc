@@ -82,6 +82,6 @@ TEST(ModelBias, IsUnknownForWhatWasNotMeasured)
   EXPECT_TRUE(std::isnan(model_bias(scene, 2.).peak));
   EXPECT_EQ(in_words(model_bias(scene, 2.)),
             "unknown: it was not measured for constants of the user's own");
-  EXPECT_EQ(in_words({-0.034, 0.125, -0.38}),
+  EXPECT_EQ(in_words(ModelBias{-0.034, 0.125, -0.38}),
             "peak -3 %, impulse +13 %, duration -38 %");
 }

@@ -48,6 +48,16 @@ TEST(Explosives, ReproduceTheirChapmanJouguetState)
   }
 }
 
+TEST(Explosives, HaveTheirNamesInTexts)
+{
+  std::string titles;
+  for (const Explosive &explosive : explosive_library())
+    titles += explosive.title + "; ";
+  EXPECT_EQ(titles,
+            "TNT; TNT Dobratz; C-4; composition B; PETN 1.77; PETN 1.50; ANFO; "
+            "pentolite; ");
+}
+
 // Mass, momentum and energy over the front, the sonic condition, and that no
 // other state on the Hugoniot curve belongs to a slower detonation.
 TEST(Explosives, ChapmanJouguetStateObeysItsDefinition)

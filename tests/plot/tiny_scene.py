@@ -102,7 +102,7 @@ def write_scene(folder):
     write(os.path.join(folder, "scene.json"), json.dumps({
         "application": "scene", "version": "0.1.0", "git_revision": "abc123",
         "title": "A tiny <scene>", "question": "injury", "accuracy": "fast",
-        "explosive": "c-4", "charge_mass": 2.268,
+        "explosive": "c-4", "explosive_title": "C-4", "charge_mass": 2.268,
         "charge_place": [2.458, 0, 1.27], "probe_beside_body": None,
         "distance": 2.337, "height": 1.27,
         "body": "phantom", "symmetry": "none", "end_time": 6e-3,

@@ -13,9 +13,6 @@ from plot.readers.stage import (Measure, Stage, is_cut, read_entries,
 
 STAGES = ("anatomy", "blast", "biomechanics")
 COARSER = "coarser run of "
-# Of the library.
-EXPLOSIVES = ("tnt", "tnt dobratz", "c-4", "composition b", "petn 1.77",
-              "petn 1.50", "anfo", "pentolite")
 # Columns of gauge_measures.csv, without units.
 GAUGE_MEASURES = ("arrival", "peak", "peak time", "impulse", "positive phase",
                   "cut off")
@@ -132,12 +129,8 @@ class Scene:
             "Material/Explosive") or "explosive"
 
     def explosive_name(self):
-        """As it is written: TNT, C-4, composition B, pentolite; one of the
-        user's own as the user wrote it."""
-        name = self.explosive()
-        return " ".join(word.upper() if len(word) < 5 else word
-                        for word in name.split()) \
-            if name.lower() in EXPLOSIVES else name
+        """As in texts; of files that do not have that, as in entries."""
+        return self.facts.get("explosive_title") or self.explosive()
 
     def probe_place(self, number):
         """Where a probe in the air is [m]; None if that is unknown."""

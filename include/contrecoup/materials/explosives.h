@@ -30,7 +30,8 @@ struct Afterburn
 /// An entry of the library of explosives.
 struct Explosive
 {
-  std::string name;
+  std::string name;  ///< in parameter files
+  std::string title; ///< in texts for readers, as "composition B"
   JwlParameters jwl;
   double detonation_speed; ///< published D [m/s]
   double cj_pressure;      ///< published Chapman-Jouguet pressure [Pa]
@@ -75,6 +76,10 @@ const std::vector<Explosive> &explosive_library();
 
 /// Names of the explosives.
 std::vector<std::string> explosive_names();
+
+/// Such as "1.37 times its mass of TNT for pressures, 1.19 for impulses", or
+/// one factor where both are equal.
+std::string in_words(const TntEquivalence &tnt);
 
 /// @throws InputError for an unknown explosive
 const Explosive &find_explosive(const std::string &name);

@@ -107,12 +107,7 @@ std::string equivalence_in_words(const Explosive &explosive)
   const TntEquivalence &tnt = explosive.tnt;
   if (tnt.is_published && tnt.pressure == 1. && tnt.impulse == 1.)
     return "";
-  const std::string factors =
-    tnt.pressure == tnt.impulse
-      ? brief(tnt.pressure, 3) + " times its mass of TNT"
-      : brief(tnt.pressure, 3) + " times its mass of TNT for pressures, " +
-          brief(tnt.impulse, 3) + " for impulses";
-  return "as " + factors + ": " + tnt.source +
+  return "as " + in_words(tnt) + ": " + tnt.source +
          (tnt.is_published ? "" : ", an estimate, not measured");
 }
 
@@ -147,7 +142,8 @@ std::vector<std::string> first_answer(const SceneParameters &scene,
                                       const std::string &person,
                                       const std::string &walls)
 {
-  const std::string what = brief(scene.mass) + " kg of " + scene.explosive.name;
+  const std::string what =
+    brief(scene.mass) + " kg of " + scene.explosive.title;
   const std::string where = " at " + brief(layout.distance) + " m";
   const auto answer = table_answer(scene, layout, body_mass);
   if (!answer)

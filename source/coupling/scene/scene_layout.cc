@@ -220,7 +220,7 @@ void SceneLayout::expect_front(const SceneParameters &scene,
 void SceneLayout::check_charge(const SceneParameters &scene) const
 {
   const std::string charge_of =
-    "the charge of " + brief(scene.mass) + " kg of " + scene.explosive.name +
+    "the charge of " + brief(scene.mass) + " kg of " + scene.explosive.title +
     " has a radius of " + brief(charge_radius) + " m";
   const auto largest_mass = [&](const double radius) {
     return brief(scene.mass * std::pow(radius / charge_radius, 3), 3) + " kg";

@@ -141,7 +141,7 @@ namespace
   {
     std::string text;
     for (const Explosive &explosive : explosive_library())
-      text += (text.empty() ? "" : ", ") + explosive.name + " " +
+      text += (text.empty() ? "" : ", ") + explosive.title + " " +
               brief(explosive.afterburn.energy, 2) + " of " +
               brief(explosive.afterburn.largest, 2);
     return text + " J/kg of complete combustion";
@@ -429,7 +429,7 @@ void SceneParameters::parse_explosive(ParameterHandler &prm)
   const auto pressure = read_list(prm, "TNT equivalence of pressure");
   const auto impulse = read_list(prm, "TNT equivalence of impulse");
   explosive = custom.explosive;
-  explosive.name = prm.get("Name");
+  explosive.name = explosive.title = prm.get("Name");
   if (explosive.name.empty())
     throw InputError(path + "/Name is empty");
   require_explosive_energy(explosive.jwl, path);

@@ -230,15 +230,6 @@ namespace
   }
 
 
-  std::string in_words(const TntEquivalence &tnt)
-  {
-    if (tnt.pressure == 1. && tnt.impulse == 1.)
-      return "";
-    return ", TNT of " + brief(tnt.pressure) + " times the mass, for impulse " +
-           "and duration " + brief(tnt.impulse) + " times";
-  }
-
-
   /// Reads the entries of declare_kingery_bulmash().
   template <int dim>
   Arrivals<dim> kingery_bulmash(ParameterHandler &prm,
@@ -362,7 +353,8 @@ void ReferenceSolution<dim>::parse_parameters(ParameterHandler &prm,
     const auto tnt = read_equivalence(prm, material);
     const Section section(prm, "Reference");
     arrival_ = kingery_bulmash<dim>(prm, tnt);
-    equivalence_ = in_words(tnt);
+    if (tnt.pressure != 1. || tnt.impulse != 1.)
+      equivalence_ = ", as " + in_words(tnt);
   }
   else if (name_ == "table")
     value_ = table_field<dim>(table);

@@ -393,7 +393,7 @@ def check_differences(page, files):
 def check_headline(page, files):
     """Every number of the answer and of what could change it is known, and none
     is left over."""
-    text = re.sub(re.escape(files.scene["explosive"]), "", page.answer,
+    text = re.sub(re.escape(files.scene["explosive_title"]), "", page.answer,
                   flags=re.I)
     number, rows = report_reader.NUMBER, expected_injuries(files)
     wanted = [

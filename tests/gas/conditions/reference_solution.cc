@@ -298,6 +298,12 @@ TEST(ReferenceSolution, KingeryBulmashKnowsTheExplosive)
                         tables + "TNT equivalence of pressure=1",
                         tables + "TNT equivalence of impulse=1"}),
             of_tnt);
+  // Equal factors are told once.
+  EXPECT_EQ(Scene<1>({"Reference/Kind=kingery bulmash",
+                      mixture,
+                      "Material/Explosive=composition b"})
+              .reference.description(),
+            "kingery bulmash, as 1.15 times its mass of TNT");
   // Of the user's own, by the ratio of energies.
   EXPECT_GT(std::get<0>(
               arrival_of({mixture,
