@@ -571,18 +571,35 @@ def without_brain():
            "none: no region gets measures of its injury")
 
 
+def light_persons(*more):
+    """Of 50 kg, in tissue and in the gas."""
+    light = (entry("Body/Phantom/Stature", "1.55"),
+             entry("Body/Phantom/Mass", "50"))
+    return (shipped("biomechanics/quickstart.prm", *light, *more,
+                    entry("Probes/Points", ""),
+                    entry("Mesh/Element size", "0.04")),
+            shipped(HUMAN, entry("First stage/Kind", "none"), *light, *more))
+
+
 def other_masses():
-    """Lungs that are judged by another mass than that of the body."""
-    yield ("mass of a body of lung", "biomechanics",
-           bar_of_lung(),
+    """Lungs that are judged by another mass than that of the person."""
+    body, gas = light_persons()
+    yield ("mass of a phantom", "biomechanics", body,
            "WARNING: body_mass: relative difference of the body's mass is "
            "estimated at ")
-    yield ("mass of a phantom in the gas", "blast",
-           shipped(HUMAN, entry("First stage/Kind", "none"),
-                   entry("Body/Phantom/Stature", "1.55"),
-                   entry("Body/Phantom/Mass", "50")),
+    yield ("mass of a phantom in the gas", "blast", gas,
            "WARNING: Loads/Body mass = 78.5 kg: lungs are judged as those of "
            "such a person, and the phantom has 50 kg")
+
+
+def chosen_masses():
+    """Masses that were chosen, or that say nothing of a person."""
+    warning = "lungs are"
+    yield "chosen mass", "biomechanics", light_persons(
+        entry("Injury/Body mass", "60"))[0], warning
+    yield "chosen mass in the gas", "blast", light_persons(
+        entry("Loads/Body mass", "60"))[1], warning
+    yield "mass of a body of lung", "biomechanics", bar_of_lung(), warning
 
 
 def unused():
@@ -766,6 +783,12 @@ def judge_acceptance(end, text):
     return "" if text in end.stdout else f"'{text}' is not said: {end.stdout}"
 
 
+def judge_silence(end, text):
+    if end.returncode != 0 or end.stderr:
+        return f"exit code {end.returncode}: {end.stderr}"
+    return f"'{text}' is said: {end.stdout}" if text in end.stdout else ""
+
+
 def judge_full_output(program):
     """What is wrong with the answer of a program whose output has no room."""
     with open("/dev/full", "w", encoding="utf-8") as full:
@@ -864,6 +887,7 @@ def main(programs, repository):
                               (thin_layers, judge_acceptance),
                               (without_brain, judge_acceptance),
                               (other_masses, judge_acceptance),
+                              (chosen_masses, judge_silence),
                               (own_meshes, judge_acceptance),
                               (warned_heads, judge_acceptance)]:
         of_application = {}

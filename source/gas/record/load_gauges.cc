@@ -14,6 +14,7 @@
 #include <contrecoup/gas/record/load_gauges.h>
 #include <contrecoup/io/file/checked_file.h>
 #include <contrecoup/io/output/history_reader.h>
+#include <contrecoup/numerics/injury/load_injury.h>
 
 #include <algorithm>
 #include <cmath>
@@ -115,7 +116,7 @@ void LoadGauges::declare_parameters(dealii::ParameterHandler &prm)
   const UsedWith used("Loads/Record or Probes/Injury = true");
   declare_double(prm,
                  "Body mass",
-                 "78.5",
+                 exact(usual_body_mass),
                  1.,
                  500.,
                  "kg",
@@ -134,7 +135,9 @@ void LoadGauges::parse_parameters(dealii::ParameterHandler &prm,
   places_.clear();
   radius_ = read_double(prm, "Gauge radius");
   body_mass_ = read_double(prm, "Body mass");
-  if (std::abs(body.phantom_mass() / body_mass_ - 1.) > 0.1)
+  // Another mass than the usual one was chosen.
+  if (body_mass_ == usual_body_mass &&
+      std::abs(body.phantom_mass() / body_mass_ - 1.) > 0.1)
     log_line("WARNING: Loads/Body mass = " + brief(body_mass_, 3) +
              " kg: lungs are judged as those of such a person, and the " +
              "phantom has " + brief(body.phantom_mass(), 3) + " kg");

@@ -41,7 +41,7 @@ void ChestInjury::declare_parameters(dealii::ParameterHandler &prm)
                  "boundary facets is averaged.");
   declare_double(prm,
                  "Body mass",
-                 "78.5",
+                 exact(usual_body_mass),
                  1.,
                  500.,
                  "kg",

@@ -9,6 +9,7 @@
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/io/file/binary_records.h>
 #include <contrecoup/io/file/checked_file.h>
+#include <contrecoup/numerics/injury/load_injury.h>
 #include <contrecoup/solid/body/stress_invariants.h>
 #include <contrecoup/solid/body/tissue_measures.h>
 #include <contrecoup/solid/injury/injury_report.h>
@@ -124,7 +125,12 @@ std::vector<Assumption>
 InjuryReport<Real>::assumptions(const SolidBody<Real> &body) const
 {
   std::vector<Assumption> items = own_.assumptions();
-  if (active_ && chest_.reports_load() && has_lung(body.mesh()))
+  // Of a part of a person the mass says nothing, and another mass than the
+  // usual one was chosen.
+  const bool is_person =
+    has(Tissue::lung, body.mesh()) && has(Tissue::brain, body.mesh());
+  if (active_ && chest_.reports_load() && is_person &&
+      chest_.body_mass() == usual_body_mass)
     items.push_back(
       {"body_mass",
        "lungs are those of a person of " + brief(chest_.body_mass(), 3) + " kg",
@@ -143,15 +149,15 @@ void InjuryReport<Real>::find_chest(const SolidMesh &mesh,
                                     const MPI_Comm communicator)
 {
   chest_wall_.reinit(mesh, chest_.place(), chest_.radius(), communicator);
-  if (has_lung(mesh))
+  if (has(Tissue::lung, mesh))
     refuse_far_chest();
 }
 
 
 template <typename Real>
-bool InjuryReport<Real>::has_lung(const SolidMesh &mesh)
+bool InjuryReport<Real>::has(const Tissue tissue, const SolidMesh &mesh)
 {
-  return std::find(mesh.tissues.begin(), mesh.tissues.end(), Tissue::lung) !=
+  return std::find(mesh.tissues.begin(), mesh.tissues.end(), tissue) !=
          mesh.tissues.end();
 }
 
@@ -297,7 +303,7 @@ InjuryReport<Real>::measures(const SolidBody<Real> &body) const
   std::vector<InjuryMeasure> list;
   add_brain(body, list);
   add_head(body, list);
-  if (has_lung(body.mesh()))
+  if (has(Tissue::lung, body.mesh()))
     for (const InjuryMeasure &measure : chest_.measures())
       list.push_back(measure);
   apply(own_, list);

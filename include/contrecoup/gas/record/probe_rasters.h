@@ -92,7 +92,7 @@ private:
                    const Raster &raster,
                    const double time) const;
 
-  double body_mass_ = 78.5; ///< [kg]
+  double body_mass_ = 0.; ///< [kg]
   std::vector<Raster> rasters_;
   std::vector<bool> is_in_body_; ///< whether each probe is, without gas
   BlastProbes<dim> probes_;

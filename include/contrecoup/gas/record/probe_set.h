@@ -84,7 +84,7 @@ public:
 private:
   BlastProbes<dim> probes_;
   std::string folder_;        ///< of the results; empty in first stages
-  double body_mass_ = 78.5;   ///< [kg]
+  double body_mass_ = 0.;     ///< [kg]
   double last_time_ = 0.;     ///< [s]
   bool is_continued_ = false; ///< whether take() preceded begin()
   std::vector<GasState<dim>> states_;

@@ -89,7 +89,7 @@ private:
   dealii::Point<3> place_;
   bool reports_load_ = true;
   double radius_ = 0.;
-  double mass_ = 70.;
+  double mass_ = 0.;
   std::vector<double> times_;
   std::vector<double> pressures_;
   std::vector<double> wall_velocities_;

@@ -67,7 +67,7 @@ public:
 private:
   void follow_brain(const SolidBody<Real> &body, const double span);
   void follow_head(const SolidBody<Real> &body);
-  static bool has_lung(const SolidMesh &mesh);
+  static bool has(const Tissue tissue, const SolidMesh &mesh);
   /// @throws InputError if the chest is not on the body's surface
   void refuse_far_chest() const;
   void find_skull(const SolidBody<Real> &body);
