@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/base/system/signals.h>
+#include <contrecoup/io/application/application.h>
 #include <contrecoup/io/application/run_entries.h>
 
 #include "harness.h"
@@ -9,6 +11,8 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <csignal>
+#include <utility>
 
 using namespace contrecoup::io;
 using Json = nlohmann::json;
@@ -40,7 +44,43 @@ void expect_same_results(const std::string &one, const std::string &two)
   };
   EXPECT_EQ(listed(one), listed(two));
 }
+
+int signal_at_start = 0;
 } // namespace
+
+/// With a signal that comes as MPI starts.
+int MPI_Initialized(int *flag)
+{
+  if (const int asked = std::exchange(signal_at_start, 0))
+    std::raise(asked);
+  return PMPI_Initialized(flag);
+}
+
+TEST(Application, EndsBySignalsBeforeTheStart)
+{
+  for (const auto &[asked, name] : {std::pair{SIGINT, "SIGINT"},
+                                    {SIGTERM, "SIGTERM"},
+                                    {SIGUSR1, "SIGUSR1"}})
+  {
+    std::string program = "oscillator";
+    char *argv[] = {program.data(), nullptr};
+    bool has_started = false;
+    signal_at_start = asked;
+    testing::internal::CaptureStdout();
+    const int code =
+      run_with_mpi(1, argv, [&](const std::vector<std::string> &) {
+        has_started = true;
+        return contrecoup::Failure();
+      });
+    EXPECT_EQ(testing::internal::GetCapturedStdout(),
+              is_first_rank() ? std::string("asked to stop by ") + name +
+                                  " before the start\n"
+                              : "");
+    EXPECT_EQ(code, 128 + asked);
+    EXPECT_FALSE(has_started);
+  }
+  const contrecoup::SignalGuard forgets_the_signal;
+}
 
 TEST(Application, ScreenIsShortUnlessVerbose)
 {
