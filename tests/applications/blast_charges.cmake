@@ -66,7 +66,7 @@ contrecoup_add_application_test(cut_off_phase bounds
   BOUNDS "results.probe_4_cut_off == 1.0" "errors.probe_3_impulse_relative < 0.2"
     "errors.probe_4_arrival_relative < 0.02"
     "errors.probe_4_impulse_relative == None"
-  MESSAGE "the run ends before the positive phase does at probe 4: ")
+  MESSAGE "cut off in the positive phase: probe 4, ")
 
 # Ignited at the rim, the detonation runs inwards and is far stronger in the
 # middle.

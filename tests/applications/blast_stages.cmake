@@ -27,7 +27,7 @@ foreach(_ranks 1 2)
 endforeach()
 contrecoup_add_application_test(first_stage_alone bounds ${_free_air}
   SET ${_quick} "Time/End time=1e-5"
-  BOUNDS "status == finished" MESSAGE "has ended in its first stage")
+  BOUNDS "status == finished" MESSAGE "ends in its first stage")
 contrecoup_add_application_test(stages_runs ranks,resume ${_free_air}
   SET ${_quick} "Time/Largest number of steps=230" CORES 1
   STOP_AFTER 40 210

@@ -132,5 +132,5 @@ TEST(SolidProbes, ArrivalIsTheFirstCrossingInEitherDirection)
       EXPECT_NEAR(result.value, 0.055, 1e-12);
     else
       EXPECT_TRUE(std::isnan(result.value)) << result.name;
-  EXPECT_EQ(probes.warnings().size(), 3u);
+  EXPECT_EQ(probes.gaps().size(), 3u);
 }

@@ -343,13 +343,6 @@ std::vector<NamedValue> StagedSimulation<dim>::history()
 
 
 template <int dim>
-std::vector<NamedValue> StagedSimulation<dim>::probes()
-{
-  return scene_.probes();
-}
-
-
-template <int dim>
 std::vector<FieldFile>
 StagedSimulation<dim>::write_fields(const std::string &folder,
                                     const unsigned int index)
@@ -442,15 +435,17 @@ std::vector<Assumption> StagedSimulation<dim>::audit()
 
 
 template <int dim>
-void StagedSimulation<dim>::finish(const std::string &folder)
+std::vector<std::string> StagedSimulation<dim>::gaps()
 {
   if (!first_)
-    scene_.finish(folder);
-  else
-    log_line(
-      "WARNING: the run has ended in its first stage: fields, tables and "
-      "files of the second one (reference, profiles, gauges, injuries, "
-      "maps, loads) are missing; a later Time/End time gives them");
+    return scene_.gaps();
+  std::vector<std::string> lines = scene_.probe_set().gaps(time());
+  for (const std::string &line : scene_.probe_rasters().gaps(time()))
+    lines.push_back(line);
+  lines.emplace_back(
+    "the run ends in its first stage: fields, tables and files of the second "
+    "one (reference, profiles, gauges, injuries, maps, loads) are missing");
+  return lines;
 }
 
 

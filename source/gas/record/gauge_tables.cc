@@ -4,6 +4,7 @@
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/gas/record/blast_maps.h>
 #include <contrecoup/gas/record/gauge_tables.h>
+#include <contrecoup/gas/record/record_gaps.h>
 #include <contrecoup/numerics/injury/blast_injury.h>
 #include <contrecoup/numerics/injury/chest_wall.h>
 #include <contrecoup/numerics/injury/injury_criteria.h>
@@ -59,20 +60,6 @@ namespace
   bool is_ear(const std::string &place)
   {
     return std::regex_match(place, std::regex("(.*[^[:alnum:]])?ear"));
-  }
-
-
-  /// Words for places of a kind, not all of them where they are many.
-  std::string listed(const std::vector<std::string> &places,
-                     const std::size_t n_all,
-                     const std::string &kind)
-  {
-    constexpr std::size_t most = 4;
-    const std::size_t n = places.size();
-    return n == n_all && n > 1 ? "all " + std::to_string(n) + " " + kind
-           : n > most ? std::to_string(n) + " of " + std::to_string(n_all) +
-                          " " + kind + ", as " + places.front()
-                      : join(places, ", ");
   }
 
 
@@ -300,37 +287,6 @@ std::string words_of_unknown_lungs(const std::string &places)
   return "injuries of lungs are unknown at " + places +
          " beside the products of the explosive, where they depend on which "
          "phases of the load count";
-}
-
-
-bool is_cut_off(const BlastMeasures &blast, const double time)
-{
-  return blast.peak > 0. && is_end(blast.arrival + blast.duration, time);
-}
-
-
-std::string warn_of_cut_off(const std::vector<std::string> &places,
-                            const std::size_t n_all,
-                            const std::string &kind)
-{
-  return places.empty()
-           ? ""
-           : "WARNING: the run ends before the positive phase does at " +
-               listed(places, n_all, kind) +
-               ": impulse and duration there are lower limits; a later "
-               "Time/End time gives all of them";
-}
-
-
-std::string warn_of_unreached(const std::vector<std::string> &places,
-                              const std::size_t n_all,
-                              const std::string &kind)
-{
-  return places.empty()
-           ? ""
-           : "WARNING: no blast has reached " + listed(places, n_all, kind) +
-               " by the end of the run: nothing is measured "
-               "there; a later Time/End time may give it";
 }
 
 

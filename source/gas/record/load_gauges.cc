@@ -12,6 +12,7 @@
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/gas/record/gauge_tables.h>
 #include <contrecoup/gas/record/load_gauges.h>
+#include <contrecoup/gas/record/record_gaps.h>
 #include <contrecoup/io/file/checked_file.h>
 #include <contrecoup/io/output/history_reader.h>
 #include <contrecoup/numerics/injury/load_injury.h>
@@ -338,17 +339,6 @@ void LoadGauges::write_tables(const double time) const
   io::write_file(folder_ + "/gauge_measures.csv", [&](std::ostream &out) {
     out << gauge_measures_table(gauges, time);
   });
-  std::vector<std::string> cut, unreached;
-  for (const GaugeBlast &gauge : gauges)
-    if (gauge.blast.peak == 0.)
-      unreached.push_back(gauge.place);
-    else if (is_cut_off(gauge.blast, time))
-      cut.push_back(gauge.place);
-  for (const std::string &line :
-       {warn_of_cut_off(cut, gauges.size(), "gauges"),
-        warn_of_unreached(unreached, gauges.size(), "gauges")})
-    if (!line.empty())
-      log_line(line);
   const std::string injuries = gauge_injury_table(gauges, times, body_mass_);
   if (!injuries.empty())
     io::write_file(folder_ + "/gauge_injury.csv",
@@ -430,6 +420,15 @@ std::vector<std::string> LoadGauges::table(const double time) const
       rows.back().emplace_back("not reached");
   }
   return aligned_rows(rows);
+}
+
+
+std::vector<std::string> LoadGauges::gaps(const double time) const
+{
+  RecordGaps gaps(time, "gauges");
+  for (std::size_t i = 0; i < records_.size(); ++i)
+    gaps.add(places_[i].name, records_[i].blast.measures(time));
+  return gaps.in_words();
 }
 
 

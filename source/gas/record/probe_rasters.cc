@@ -4,12 +4,14 @@
 #include <contrecoup/base/parameters/parameters.h>
 #include <contrecoup/base/parameters/selecting.h>
 #include <contrecoup/base/parameters/selections.h>
+#include <contrecoup/base/system/coordinates.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/log.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/gas/record/blast_maps.h>
 #include <contrecoup/gas/record/gauge_tables.h>
 #include <contrecoup/gas/record/probe_rasters.h>
+#include <contrecoup/gas/record/record_gaps.h>
 #include <contrecoup/io/file/checked_file.h>
 #include <contrecoup/io/file/plane_file.h>
 
@@ -251,41 +253,42 @@ void ProbeRasters<dim>::reduce_over_ranks()
 
 
 template <int dim>
+std::vector<std::string> ProbeRasters<dim>::gaps(const double time) const
+{
+  RecordGaps gaps(time,
+                  "probes of Probes/Lines and Gauge planes in the gas",
+                  ", and injuries of lungs unknown");
+  for (std::size_t i = 0; has_injuries() && i < probes_.size(); ++i)
+    if (!is_in_body_[i])
+      gaps.add("(" + coordinates(probes_.places()[i]) + ") m",
+               probes_.records()[i].measures(time),
+               probes_.exposures()[i].goes_on());
+  return gaps.in_words();
+}
+
+
+template <int dim>
 void ProbeRasters<dim>::finish()
 {
   reduce_over_ranks();
-  if (!has_injuries())
-    return;
-  std::size_t n_in_gas = 0, n_reached = 0, n_going_on = 0, n_between = 0;
-  for (std::size_t i = 0; i < probes_.size(); ++i)
+  std::size_t n_between = 0;
+  for (std::size_t i = 0; has_injuries() && i < probes_.size(); ++i)
   {
-    n_in_gas += is_in_body_[i] ? 0 : 1;
-    if (is_in_body_[i] || !(probes_.records()[i].peak > 0.))
-      continue;
-    ++n_reached;
-    const bool is_over =
-      probes_.records()[i].end > 0. && !probes_.exposures()[i].goes_on();
-    n_going_on += is_over ? 0 : 1;
     const BlastRecord<double> &record = probes_.records()[i];
-    n_between += is_over && lungs_are_unknown({"",
-                                               record.measures(record.end),
-                                               probes_.ambient()[i],
-                                               probes_.exposures()[i],
-                                               record.running},
-                                              body_mass_)
+    const ExposureRecord &exposure = probes_.exposures()[i];
+    n_between += !is_in_body_[i] && record.end > 0. && !exposure.goes_on() &&
+                     lungs_are_unknown({"",
+                                        record.measures(record.end),
+                                        probes_.ambient()[i],
+                                        exposure,
+                                        record.running},
+                                       body_mass_)
                    ? 1
                    : 0;
   }
   if (n_between > 0)
     log_line("Probes/Lines and Gauge planes: " +
              words_of_unknown_lungs(std::to_string(n_between) + " probes"));
-  if (n_going_on > 0)
-    log_line("WARNING: Probes/Lines and Gauge planes: the blast has reached " +
-             std::to_string(n_reached) + " of " + std::to_string(n_in_gas) +
-             " probes in the gas, and at " + std::to_string(n_going_on) +
-             " of these it presses on at the end: impulse and duration there "
-             "are those so far, injuries of lungs unknown; a later Time/End "
-             "time gives them");
 }
 
 

@@ -11,6 +11,7 @@
 #include <contrecoup/gas/record/blast_maps.h>
 #include <contrecoup/gas/record/gauge_tables.h>
 #include <contrecoup/gas/record/probe_set.h>
+#include <contrecoup/gas/record/record_gaps.h>
 #include <contrecoup/io/file/checked_file.h>
 
 #include <cmath>
@@ -22,6 +23,11 @@ namespace contrecoup::gas
 {
 namespace
 {
+  std::string place_of(const std::size_t i)
+  {
+    return "probe " + std::to_string(i + 1);
+  }
+
   std::string probe_name(const std::size_t i, const std::string &quantity)
   {
     return "probe_" + std::to_string(i + 1) + "_" + quantity;
@@ -258,6 +264,17 @@ ProbeSet<dim>::report(const GasSnapshot<dim> &gas) const
 
 
 template <int dim>
+std::vector<std::string> ProbeSet<dim>::gaps(const double time) const
+{
+  RecordGaps gaps(time, "probes");
+  const auto found = blasts();
+  for (std::size_t i = 0; i < found.size(); ++i)
+    gaps.add(place_of(i), found[i]);
+  return gaps.in_words();
+}
+
+
+template <int dim>
 void ProbeSet<dim>::finish()
 {
   // In 1-D each rank has all of the mesh, and communicators of its own.
@@ -265,29 +282,20 @@ void ProbeSet<dim>::finish()
       dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
     return;
   std::vector<AirBlast> air;
-  std::vector<std::string> cut, unreached, unknown;
+  std::vector<std::string> unknown;
   const auto found = blasts();
   for (std::size_t i = 0; i < found.size(); ++i)
   {
-    air.push_back({"probe " + std::to_string(i + 1),
+    air.push_back({place_of(i),
                    found[i],
                    probes_.ambient()[i],
                    probes_.exposures()[i],
                    probes_.records()[i].running,
                    is_cut_off(found[i], last_time_)});
-    if (air.back().is_cut)
-      cut.push_back(air.back().place);
-    if (found[i].peak == 0.)
-      unreached.push_back(air.back().place);
     if (is_habitable(air.back().ambient) &&
         lungs_are_unknown(air.back(), body_mass_))
       unknown.push_back(air.back().place);
   }
-  for (const std::string &line :
-       {warn_of_cut_off(cut, found.size(), "probes"),
-        warn_of_unreached(unreached, found.size(), "probes")})
-    if (!line.empty())
-      log_line(line);
   if (!unknown.empty())
     log_line("WARNING: " + words_of_unknown_lungs(join(unknown, ", ")));
   const std::string table = air_injury_table(

@@ -318,6 +318,19 @@ double GasSimulation<dim>::body_volume()
 
 
 template <int dim>
+std::vector<std::string> GasSimulation<dim>::gaps()
+{
+  std::vector<std::string> lines;
+  recorders_.for_each([&](auto &recorder) {
+    recorder.reduce_over_ranks();
+    for (const std::string &line : recorder.gaps(time()))
+      lines.push_back(line);
+  });
+  return lines;
+}
+
+
+template <int dim>
 void GasSimulation<dim>::finish(const std::string &folder)
 {
   recorders_.for_each([](auto &recorder) { recorder.finish(); });

@@ -254,6 +254,7 @@ namespace io
       folder_.flush();
       if (is_finished)
         collective_.run([&]() { simulation_.finish(folder_.path()); });
+      warn_of_gaps(is_finished);
       warn_of_retries();
       const std::string status = is_finished ? "finished" : "stopped";
       summarise(status, told_stop(loop.stop_signal()));
@@ -279,6 +280,16 @@ namespace io
     }
     if (loop.stop_signal() != 0)
       throw Stopped(loop.stop_signal());
+  }
+
+  void Run::warn_of_gaps(const bool is_finished)
+  {
+    collective_.run([&]() {
+      for (const std::string &gap : simulation_.gaps())
+        log_line("WARNING: " + gap +
+                 (is_finished ? "; a later Time/End time may give it"
+                              : "; --resume goes on"));
+    });
   }
 
   void Run::warn_of_retries() const

@@ -409,7 +409,7 @@ std::vector<NamedValue> SolidProbes::measured() const
 }
 
 
-std::vector<std::string> SolidProbes::warnings() const
+std::vector<std::string> SolidProbes::gaps() const
 {
   std::vector<std::string> lines;
   for (const Measure &measure : measures_)

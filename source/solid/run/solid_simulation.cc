@@ -396,8 +396,6 @@ template <typename Real>
 void SolidSimulation<Real>::finish(const std::string &folder)
 {
   report_injury(folder);
-  for (const std::string &line : probes_.warnings())
-    log_line("WARNING: " + line);
   warn_of_rotation();
   audit_.judge(check_energy(), body_.mesh().tissues);
   if (audit_.scale() == 0. && !has_warned_of_rest_)

@@ -7,6 +7,7 @@
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/gas/record/gauge_tables.h>
 #include <contrecoup/gas/record/load_gauges.h>
+#include <contrecoup/gas/record/record_gaps.h>
 
 #include <gtest/gtest.h>
 
@@ -314,19 +315,34 @@ TEST(LoadGauges, TellAPositivePhaseThatTheEndOfTheRunCutsOff)
   EXPECT_FALSE(is_marked());
 }
 
-TEST(LoadGauges, WarnOfPositivePhasesThatTheEndOfTheRunCutsOff)
+TEST(LoadGauges, TellGapsOfTheirRecord)
 {
-  EXPECT_EQ(warn_of_cut_off({}, 3, "gauges"), "");
-  const std::string two = warn_of_cut_off({"chest", "back"}, 3, "gauges");
-  EXPECT_NE(two.find(" at chest, back: impulse and duration there are lower "
-                     "limits"),
-            std::string::npos)
-    << two;
-  const std::string all = warn_of_cut_off({"chest", "back"}, 2, "gauges");
-  EXPECT_NE(all.find(" at all 2 gauges: "), std::string::npos) << all;
-  const std::string many =
-    warn_of_cut_off({"a", "b", "c", "d", "e"}, 9, "gauges");
-  EXPECT_NE(many.find(" at 5 of 9 gauges, as a: "), std::string::npos) << many;
+  const BlastMeasures cut{200e3, 300., 1e-3, 1e-3}, none,
+    whole{200e3, 300., 1e-3, 0.5e-3};
+  const auto gaps = [&](const std::size_t n_unreached,
+                        const std::size_t n_cut,
+                        const std::size_t n_whole) {
+    RecordGaps result(2e-3, "gauges");
+    for (std::size_t i = 0; i < n_unreached; ++i)
+      result.add("u" + std::to_string(i), none);
+    for (std::size_t i = 0; i < n_cut; ++i)
+      result.add("c" + std::to_string(i), cut);
+    for (std::size_t i = 0; i < n_whole; ++i)
+      result.add("w" + std::to_string(i), whole);
+    return join(result.in_words(), "\n");
+  };
+  const std::string begin = "the record ends at 2 ms; ",
+                    unreached = ", where nothing is measured",
+                    limits = ", where impulse and duration are lower limits";
+  EXPECT_EQ(gaps(0, 0, 3), "");
+  EXPECT_EQ(gaps(1, 2, 1),
+            begin + "not reached by a blast: u0" + unreached +
+              "; cut off in the positive phase: c0, c1" + limits);
+  EXPECT_EQ(gaps(2, 0, 0),
+            begin + "not reached by a blast: all 2 gauges" + unreached);
+  EXPECT_EQ(gaps(0, 5, 4),
+            begin + "cut off in the positive phase: 5 of 9 gauges, as c0" +
+              limits);
 }
 
 
@@ -352,10 +368,11 @@ TEST(LoadGauges, MeasureNothingWhereNoBlastHasArrived)
   // Columns fit their widest cell.
   EXPECT_EQ(lines[0].find("x, y, z"), lines[2].find("0.1, 0"));
   EXPECT_EQ(lines[0].find("arrival"), lines[2].find("not reached"));
-  EXPECT_EQ(warn_of_unreached({}, 3, "gauges"), "");
-  EXPECT_NE(warn_of_unreached({"back"}, 3, "gauges")
-              .find("no blast has reached back by the end of the run"),
-            std::string::npos);
+  const std::vector<std::string> gaps = gauges.gaps(2e-3);
+  ASSERT_EQ(gaps.size(), 1U);
+  EXPECT_NE(gaps[0].find("not reached by a blast: left side of the back,"),
+            std::string::npos)
+    << gaps[0];
 }
 
 

@@ -93,11 +93,12 @@ struct History
 History record_wave(Rasters<2> &scene,
                     const double peak,
                     const double duration,
-                    const double step)
+                    const double step,
+                    const unsigned int n_steps = 800)
 {
   const double ambient = 101325.;
   History history{{0.}, {0.}, 0.};
-  for (unsigned int i = 0; i < 800; ++i)
+  for (unsigned int i = 0; i < n_steps; ++i)
   {
     const double s = i * step / duration;
     const double overpressure = peak * (1. - s) * std::exp(-s);
@@ -234,6 +235,28 @@ TEST(ProbeRasters, InjuriesAreThoseOfTheHistory)
                 1e-6);
   }
   std::filesystem::remove_all(folder);
+}
+
+
+// A run that ends in the positive phase says where.
+TEST(ProbeRasters, TellWhereTheBlastGoesOn)
+{
+  for (const unsigned int n_steps : {20U, 800U})
+  {
+    Rasters<2> scene(
+      {"Probes/Gauge planes=0.2,0.1 : 0.8,0.9 : 2, 3", "Probes/Injury=true"},
+      MPI_COMM_SELF);
+    record_wave(scene, 300e3, 4.005e-3, 1e-5, n_steps);
+    const bool is_cut = n_steps < 800;
+    const auto gaps = scene.rasters.gaps(scene.run.time);
+    EXPECT_EQ(gaps.size(), is_cut ? 1U : 0U);
+    if (is_cut)
+    {
+      EXPECT_NE(gaps[0].find("0.2 ms; cut off in the positive phase: all 6"),
+                std::string::npos)
+        << gaps[0];
+    }
+  }
 }
 
 

@@ -175,6 +175,13 @@ public:
     return 3;
   }
 
+  /// What the run has not measured until now, as it is too short or stopped: a
+  /// clause each, of which the run warns when it ends.
+  virtual std::vector<std::string> gaps()
+  {
+    return {};
+  }
+
   /// Writes final results to the output folder; called once, at the end time.
   virtual void finish(const std::string & /*folder*/)
   {}

@@ -40,7 +40,10 @@ public:
   StepReport advance(double largest_step) override;
   bool adapt() override;
   std::vector<NamedValue> history() override;
-  std::vector<NamedValue> probes() override;
+  std::vector<NamedValue> probes() override
+  {
+    return scene_.probes();
+  }
   std::vector<FieldFile> write_fields(const std::string &folder,
                                       unsigned int index) override;
   std::vector<NamedValue> errors() override;
@@ -55,7 +58,12 @@ public:
   {
     return active().dimension();
   }
-  void finish(const std::string &folder) override;
+  std::vector<std::string> gaps() override;
+  void finish(const std::string &folder) override
+  {
+    if (!first_)
+      scene_.finish(folder);
+  }
   std::pair<std::uint64_t, std::uint64_t> size() const override;
 
   /// Gas of the second stage; no mesh and no state before the hand-over.

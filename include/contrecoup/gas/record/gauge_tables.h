@@ -23,25 +23,6 @@ struct GaugeBlast
   std::vector<double> overpressures; ///< at the times of the samples [Pa]
 };
 
-/// Whether the positive phase goes on at the end of the record, @p time [s]:
-/// then its impulse and duration are lower limits.
-bool is_cut_off(const BlastMeasures &blast, const double time);
-
-/// The warning that the run ends before the positive phase does.
-/// @param places where it does
-/// @param n_all number of places
-/// @param kind of places, in plural
-/// @return empty without places
-std::string warn_of_cut_off(const std::vector<std::string> &places,
-                            const std::size_t n_all,
-                            const std::string &kind);
-
-/// The warning that no blast has reached places by the end of the run;
-/// arguments as of warn_of_cut_off().
-std::string warn_of_unreached(const std::vector<std::string> &places,
-                              const std::size_t n_all,
-                              const std::string &kind);
-
 /// Arrival, peak, its time, positive impulse and positive phase at a gauge, as
 /// BlastRecord defines them; not a number where no blast has arrived.
 std::vector<NamedValue> gauge_values(const BlastMeasures &blast,

@@ -108,6 +108,9 @@ public:
   /// The same as a text table, one line per row.
   std::vector<std::string> table(const double time) const;
 
+  /// Gauges whose record is not whole at @p time [s], see RecordGaps.
+  std::vector<std::string> gaps(const double time) const;
+
   std::vector<std::string> names() const;
 
   /// Overpressures after the last step, in the order of names() [Pa].

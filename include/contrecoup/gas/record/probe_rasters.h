@@ -55,7 +55,9 @@ public:
   void write(const GasSnapshot<dim> &gas, const std::string &folder) override;
 
   void reduce_over_ranks() override;
-  /// Says at how many probes the blast was not over.
+  /// Of probes with injuries; the others' maps show it.
+  std::vector<std::string> gaps(const double time) const override;
+  /// Says at how many probes nothing is known of lungs.
   void finish() override;
   void save(std::ostream &stream, const std::string &folder) const override;
   void load(std::istream &stream, const std::string &folder) override;

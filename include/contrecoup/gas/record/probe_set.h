@@ -76,6 +76,7 @@ public:
   /// a reference.
   std::vector<std::string> report(const GasSnapshot<dim> &gas) const override;
 
+  std::vector<std::string> gaps(const double time) const override;
   void finish() override;
 
   void save(std::ostream &stream, const std::string &folder) const override;

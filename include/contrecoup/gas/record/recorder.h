@@ -113,6 +113,13 @@ public:
   virtual void finish()
   {}
 
+  /// See Simulation::gaps(), at the end @p time [s] of the record. Called after
+  /// reduce_over_ranks().
+  virtual std::vector<std::string> gaps(const double /*time*/) const
+  {
+    return {};
+  }
+
   /// Values for "results" in summary.json.
   virtual std::vector<NamedValue> results(const GasSnapshot<dim> &) const
   {

@@ -52,6 +52,10 @@ public:
   void save(std::ostream &stream, const std::string &folder) const override;
   void load(std::istream &stream, const std::string &folder) override;
   /// Completes the current sample and writes all results.
+  std::vector<std::string> gaps(const double time) const override
+  {
+    return active_ ? gauges_.gaps(time) : std::vector<std::string>();
+  }
   void finish() override;
 
   bool is_active() const

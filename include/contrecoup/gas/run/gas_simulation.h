@@ -59,6 +59,7 @@ public:
   {
     return dim;
   }
+  std::vector<std::string> gaps() override;
   /// Completes the records, and writes the profile if "Output/Profile file" is
   /// set.
   void finish(const std::string &folder) override;

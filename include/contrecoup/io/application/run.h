@@ -41,6 +41,8 @@ namespace io
     /// Shows which entries have no effect, and other oversights.
     void warn();
     void prepare();
+    /// Of what a longer run may measure.
+    void warn_of_gaps(bool is_finished);
     /// Where more than a few steps were halved.
     void warn_of_retries() const;
     void summarise(const std::string &status, const std::string &message);

@@ -58,11 +58,11 @@ public:
   /// The last values read, named "probe_1_pressure" and so on.
   std::vector<NamedValue> values() const;
 
-  /// Results of the measures, by name; NaN: warnings() tell why.
+  /// Results of the measures, by name; NaN: gaps() tell why.
   std::vector<NamedValue> measured() const;
 
   /// A line for each measure that has no value.
-  std::vector<std::string> warnings() const;
+  std::vector<std::string> gaps() const;
 
   /// Relative errors of the measures against their expected values.
   std::vector<NamedValue> errors() const;

@@ -66,6 +66,10 @@ public:
   std::vector<NamedValue> errors() override;
   std::vector<NamedValue> results() override;
   std::vector<NamedValue> checks() override;
+  std::vector<std::string> gaps() override
+  {
+    return probes_.gaps();
+  }
   void finish(const std::string &folder) override;
   std::pair<std::uint64_t, std::uint64_t> size() const override;
 
