@@ -823,9 +823,12 @@ def judge_dump(program):
 
 
 def judge_estimate(program, files):
-    """What --estimate leaves out of the warnings of --check about entries."""
+    """What --estimate leaves out of the warnings of --check about entries, and
+    how often it tells of lungs of who stands in the open."""
     path = os.path.join(files, SCENE)
     for entries, said in (
+            (["Charge/Distance=0.3"], 1), (["Charge/Distance=0.3",
+                                            "Charge/Height=0.1"], 2),
             (["Body/Shape/Shape=box"], "WARNING: Body/Shape/Shape is set but not "
              "used: Body/Kind is phantom, not shape"),
             (["Charge/Place=-2, 0, 1", "Charge/Distance=3"],
@@ -833,7 +836,11 @@ def judge_estimate(program, files):
         words = [word for text in entries for word in ("--set", text)]
         end = subprocess.run([program, path, "--estimate", *words], text=True,
                              capture_output=True, timeout=300, cwd=FOLDER)
-        flaw = judge_acceptance(end, said)
+        flaw = judge_acceptance(end, said if isinstance(said, str) else "")
+        told = len(re.findall("in the open has the lung|incident wave there "
+                              "loads the lung", end.stdout))
+        if not flaw and isinstance(said, int) and told != said:
+            flaw = f"lungs are told {told} times: {end.stdout}"
         if flaw:
             return flaw
     return ""

@@ -36,6 +36,13 @@ namespace
     return text;
   }
 
+  /// Whether the trunk is not where the nearest skin is, as in the report.
+  bool is_apart(const SceneLayout &trunk, const SceneLayout &skin)
+  {
+    constexpr double farther = 1.15;
+    return trunk.distance > farther * skin.distance;
+  }
+
   /// Mean edge of a body's own hexahedra [m].
   double edge_of(const HexMesh &mesh)
   {
@@ -246,14 +253,12 @@ std::optional<Landmark> PlannedScene::nearest_gauge(const bool of_trunk) const
 
 std::optional<SceneLayout> PlannedScene::layout_at_trunk() const
 {
-  // As in the report.
-  constexpr double farther = 1.15;
   const auto gauge = nearest_gauge(true);
   if (!gauge)
     return {};
   SceneLayout there = *layout_;
   there.distance = gauge->place.distance(layout_->charge);
-  if (layout_->probe && there.distance <= farther * layout_->distance)
+  if (layout_->probe && !is_apart(there, *layout_))
     return {};
   return there;
 }
@@ -262,7 +267,8 @@ std::optional<SceneLayout> PlannedScene::layout_at_trunk() const
 std::string PlannedScene::answer_at_trunk() const
 {
   const auto there = layout_at_trunk();
-  if (!there)
+  // The answer for the nearest skin is that of a trunk that is there.
+  if (!there || !is_apart(*there, *layout_))
     return "";
   const std::string where = "  the trunk is " + brief(there->distance, 3) +
                             " m from the charge: the incident wave there ";
