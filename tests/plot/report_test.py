@@ -1235,6 +1235,22 @@ class ReportTest(unittest.TestCase):
             self.assertEqual(bool(found), bool(told))
             self.assertIn(told, found)
 
+    def test_loads_from_both_sides(self):
+        """Pushes that cancel have no time when their impulse is largest."""
+        checks = {"loads_largest_recorded_impulse": 100.,
+                  "loads_largest_mapped_impulse": 99.,
+                  "loads_impulse_factor": 1., "loads_pushes_cancel": 1.}
+        stage = types.SimpleNamespace(
+            found=lambda _, name: checks.get(name),
+            parameter=lambda _: None)
+        scene = types.SimpleNamespace(
+            biomechanics=stage, measures=dict,
+            blast=types.SimpleNamespace(found=lambda *_: None))
+        self.assertIn(
+            "100 N s recorded on the whole body in magnitudes, as pushes from "
+            "opposite sides cancel, 99.0 N s on the elements",
+            " ".join(accuracy._checks(scene)).replace("\xa0", " "))
+
     def test_errors_have_that_of_the_loads(self):
         """What happens in the body is no better known than its impulse, even if
         both runs agree."""

@@ -147,6 +147,37 @@ TEST(RecordedLoads, ImpulseThatIsPushedBackIsKept)
 }
 
 
+// Of equal pushes from both sides nothing or little is left, which compares
+// with nothing; their magnitudes do, by which half of a side is warned of.
+TEST(RecordedLoads, PushesThatCancelAreComparedByTheirMagnitudes)
+{
+  const std::string file = "recorded_both_sides.h5";
+  for (const float left : {300.F, 285.F})
+  {
+    {
+      io::LoadFile loads(file);
+      loads.create(
+        {{0., 0., 0., 1., 0., 0.}, {-1., 0., 0., 1., 0., 0.}, {1., 1.}, {}},
+        {{"application", "test"}});
+      loads.append({1e-3, 2e-3}, {300.F, left, 0.F, 0.F});
+    }
+    for (const double area : {0.98, 0.5})
+    {
+      const auto loads = read_loads(file);
+      testing::internal::CaptureStdout();
+      loads->reinit({{0., 0., 0.}, {1., 0., 0.}},
+                    {Point<3>(-area, 0., 0.), Point<3>(1., 0., 0.)},
+                    MPI_COMM_SELF);
+      EXPECT_EQ(testing::internal::GetCapturedStdout().find("WARNING: ") == 0U,
+                area < 0.9);
+      EXPECT_EQ(loads->correction(), 1.);
+      EXPECT_EQ(audited(*loads, "loads_pushes_cancel"), 1.);
+    }
+    std::filesystem::remove(file);
+  }
+}
+
+
 // What the pressures push with, without directions, is 0.72 N s: a third of it
 // arrives where 0.4 of the first facet is loaded and the second is away.
 TEST(RecordedLoads, LoadsThatHardlyArriveAreRefused)

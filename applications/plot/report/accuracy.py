@@ -189,9 +189,10 @@ def _checks(scene):
                 ", since the impulses differ by too much for one factor on all "
                 "of them" if abs(change) >=
                 load_impulses.largest_correction(scene) else ""))
+        when, where = load_impulses.kind(scene)
         items.append(
             f"Impulse: {page.quantity(recorded, 'N s')} recorded on the whole "
-            f"body when it is largest, {page.quantity(mapped, 'N s')} along it "
+            f"body {when}, {page.quantity(mapped, 'N s')}{where} "
             f"on the elements ({page.number(100. * change, 2)} %){mended}.")
     loss = scene.blast.found("checks", "loads_sampled_peak_loss")
     if loss is not None:

@@ -5,11 +5,19 @@
 
 def along(scene):
     """The recorded impulse of the whole body when it is largest and, along its
-    direction, that on the elements [N s]; None without loads."""
+    direction, that on the elements [N s], or the sums of the magnitudes of both
+    where pushes cancel; None without loads."""
     recorded, mapped = (scene.biomechanics.found(
         "checks", f"loads_largest_{name}_impulse")
                         for name in ("recorded", "mapped"))
     return (recorded, mapped or 0.) if recorded else None
+
+
+def kind(scene):
+    """What along() compares, in words: when, and along what."""
+    return ("in magnitudes, as pushes from opposite sides cancel", "") \
+        if scene.biomechanics.found("checks", "loads_pushes_cancel") else \
+        ("when it is largest", " along it")
 
 
 def largest_correction(scene):

@@ -15,6 +15,7 @@
 #include <deal.II/numerics/rtree.h>
 
 #include <limits>
+#include <tuple>
 
 namespace contrecoup::solid
 {
@@ -34,6 +35,10 @@ namespace
   /// arrive on this surface.
   constexpr double least_arriving = 0.5;
 
+  /// Least part of the same sum that the body as a whole is pushed with, for
+  /// impulses to be compared by that push.
+  constexpr double least_push = 0.1;
+
   const std::vector<std::string>
     mirrors{"none", "x", "y", "z", "x and y", "x and z", "y and z"};
 
@@ -45,7 +50,9 @@ namespace
                  "Whether one factor on all pressures makes the impulse, "
                  "along the direction of the recorded impulse and until the "
                  "time when that is largest, equal to the recorded one. Later "
-                 "impulses may cancel, as by suction or a wall behind.");
+                 "impulses may cancel, as by suction or a wall behind. A body "
+                 "that is pushed from opposite sides alike has no impulse to "
+                 "keep, and the factor is 1.");
     declare_double(
       prm,
       "Largest correction",
@@ -317,8 +324,11 @@ void RecordedLoads::measure_impulses()
         mapped[sample] -= part * mapped_areas[i];
       }
   }
-  require_arrival(impulse);
+  const auto magnitudes = require_arrival(impulse);
   sum_impulses(recorded, mapped);
+  pushes_cancel_ = largest_recorded_impulse_ < least_push * magnitudes.first;
+  if (pushes_cancel_)
+    std::tie(largest_recorded_impulse_, largest_mapped_impulse_) = magnitudes;
   choose_factor();
 }
 
@@ -329,11 +339,15 @@ void RecordedLoads::choose_factor()
     largest_mapped_impulse_ / std::max(largest_recorded_impulse_, 1e-300);
   const bool is_near = std::abs(ratio - 1.) < largest_correction_;
   const bool is_warned = !is_near && largest_correction_ > 0.;
-  factor_ = keeps_impulse_ && is_near ? 1. / ratio : 1.;
+  factor_ = keeps_impulse_ && is_near && !pushes_cancel_ ? 1. / ratio : 1.;
   log_line((is_warned ? "WARNING: " : "") +
            std::string("Loads/Recorded: the loads on this body have ") +
            brief(ratio) +
-           " times the recorded impulse at its largest; pressures are " +
+           (pushes_cancel_ ? " times the recorded impulses, of all facets as "
+                             "magnitudes, since pushes from opposite sides "
+                             "cancel"
+                           : " times the recorded impulse at its largest") +
+           "; pressures are " +
            (factor_ == 1. ? "as recorded"
                           : "multiplied by " + brief(factor_) +
                               ", which makes the impulses equal") +
@@ -385,7 +399,8 @@ void RecordedLoads::sum_impulses(const std::vector<Tensor<1, 3>> &recorded,
 }
 
 
-void RecordedLoads::require_arrival(const std::vector<double> &impulse) const
+std::pair<double, double>
+RecordedLoads::require_arrival(const std::vector<double> &impulse) const
 {
   const io::LoadFile::Facets &facets = reader_->facets();
   double recorded = 0., arriving = 0.; // sums of magnitudes
@@ -418,6 +433,7 @@ void RecordedLoads::require_arrival(const std::vector<double> &impulse) const
       "Rotation, or the mesh's file), and Loads/Recorded/Mirror and Largest "
       "distance, now " +
       brief(largest_distance_) + " m, must reach all facets");
+  return {recorded, arriving};
 }
 
 
@@ -440,6 +456,8 @@ std::vector<NamedValue> RecordedLoads::check_values() const
     {"loads_impulse_factor", "-", factor_},
     {"loads_largest_recorded_impulse", "N s", largest_recorded_impulse_},
     {"loads_largest_mapped_impulse", "N s", factor_ * largest_mapped_impulse_}};
+  if (pushes_cancel_)
+    values.push_back({"loads_pushes_cancel", "-", 1.});
   for (unsigned int d = 0; d < 3; ++d)
   {
     const std::string axis(1, "xyz"[d]);

@@ -12,6 +12,7 @@
 #include <array>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace contrecoup::solid
@@ -22,7 +23,9 @@ namespace contrecoup::solid
  * intervals; pressure is interpolated linearly between the midpoints of
  * intervals, which conserves impulse, and is constant after the last one. One
  * global factor matches the impulse on this surface to that on the recorded
- * surface until the time when the latter is largest.
+ * surface until the time when the latter is largest. Where pushes from opposite
+ * sides leave little of it, the sums of the magnitudes of all facets are
+ * compared instead, and nothing is multiplied.
  */
 class RecordedLoads : public PressureHistory
 {
@@ -52,7 +55,7 @@ public:
   /// Distances of the facets, the pressure factor, and the impulse of all
   /// samples on the recorded surface and, including the factor, on this
   /// surface; also until the time when the recorded one is largest, along its
-  /// direction then. Collective.
+  /// direction then, or the sums of magnitudes where pushes cancel. Collective.
   std::vector<NamedValue> check_values() const override;
 
 private:
@@ -64,9 +67,11 @@ private:
   /// facets of this rank [N s]. Collective.
   void sum_impulses(const std::vector<dealii::Tensor<1, 3>> &recorded,
                     const std::vector<dealii::Tensor<1, 3>> &mapped);
-  /// Takes impulses per area of the recorded facets. Collective.
+  /// Takes impulses per area of the recorded facets; sums of their magnitudes,
+  /// recorded and arriving on this surface [N s]. Collective.
   /// @throws InputError when too little impulse arrives
-  void require_arrival(const std::vector<double> &impulse) const;
+  std::pair<double, double>
+  require_arrival(const std::vector<double> &impulse) const;
 
   std::unique_ptr<io::LoadReader> reader_;
   double offset_ = 0.; ///< recorded time at the start of this run [s]
@@ -96,8 +101,10 @@ private:
 
   dealii::Tensor<1, 3> recorded_impulse_; ///< including mirrored facets [N s]
   dealii::Tensor<1, 3> mapped_impulse_;   ///< without the factor [N s]
-  /// At the time when the recorded impulse is largest, along it [N s].
+  /// At the time when the recorded impulse is largest, along it; where pushes
+  /// cancel, sums of magnitudes [N s].
   double largest_recorded_impulse_ = 0.;
   double largest_mapped_impulse_ = 0.; ///< without the factor
+  bool pushes_cancel_ = false;
 };
 } // namespace contrecoup::solid
