@@ -39,16 +39,19 @@ TEST(Log, ScreenGetsOnlyWarningsAndProgressOfAPart)
     const LogPart part("blast");
     show_line("the answer of a stage");
     log_line("WARNING: of a stage");
+    log.take_back("not of a stage");
     log.progress("50 %");
   }
   {
     const LogPart part("coarser", true);
     log_line("WARNING: of a quiet stage");
+    log.take_back("not of a quiet stage");
     EXPECT_EQ(log.warnings(), std::vector<std::string>{"of a quiet stage"});
   }
   show_line("the answer");
   const std::string screen = testing::internal::GetCapturedStdout();
   log.set_verbose(true);
   log.close();
-  EXPECT_EQ(screen, "WARNING: of a stage\nblast: 50 %\nthe answer\n");
+  EXPECT_EQ(screen,
+            "WARNING: of a stage\nnot of a stage\nblast: 50 %\nthe answer\n");
 }

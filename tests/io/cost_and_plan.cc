@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/run/time_parameters.h>
+#include <contrecoup/base/system/log.h>
 #include <contrecoup/base/system/processor_time.h>
 #include <contrecoup/io/application/cost_forecast.h>
 #include <contrecoup/io/application/cost_laws.h>
@@ -244,6 +245,16 @@ TEST(Plan, ReplacesEstimatesByMeasurements)
   EXPECT_EQ(replaced(2.5, {planned, found}), Lines{found});
   for (const double unmeasured : {3., std::nan("")})
     EXPECT_EQ(replaced(unmeasured, {planned}), Lines{planned});
+  // A stage of a scene, which shows little else, takes back what it warned of.
+  {
+    const LogPart part("blast");
+    Log::instance().set_verbose(false);
+    testing::internal::CaptureStdout();
+    replaced(1., {planned});
+    const std::string screen = testing::internal::GetCapturedStdout();
+    Log::instance().set_verbose(true);
+    EXPECT_NE(screen.find("did not come true"), std::string::npos) << screen;
+  }
   Lines alone{planned};
   replace_estimates(plan, {}, alone);
   EXPECT_EQ(alone, Lines{planned});

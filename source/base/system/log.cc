@@ -124,6 +124,11 @@ void Log::show(const std::string &text)
   write(text, verbose_ || is_new_warning || !in_part_);
 }
 
+void Log::take_back(const std::string &text)
+{
+  write(text, verbose_ || !part_is_quiet_);
+}
+
 void Log::progress(const std::string &text)
 {
   if (!active_)

@@ -215,8 +215,9 @@ namespace io
         continue;
       const std::string now = LogWords::of(warning(*found, measured));
       if (!found->fails())
-        show_line(sentence(*found, measured) +
-                  ": what the plan warned of did not come true");
+        Log::instance().take_back(
+          sentence(*found, measured) +
+          ": what the plan warned of did not come true");
       if (found->fails() &&
           std::find(warnings.begin(), warnings.end(), now) == warnings.end())
         *old = now;

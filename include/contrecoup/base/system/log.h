@@ -11,9 +11,9 @@
 namespace contrecoup
 {
 /// Output for the user. log.txt gets every line; the screen gets each warning
-/// once, the lines of show(), all lines if verbose, and on a terminal one
-/// redrawn status line. A warning is a line that begins with "WARNING: ".
-/// Silent on all ranks except the first.
+/// once, the lines of show() and take_back(), all lines if verbose, and on a
+/// terminal one redrawn status line. A warning is a line that begins with
+/// "WARNING: ". Silent on all ranks except the first.
 class Log
 {
 public:
@@ -51,6 +51,10 @@ public:
   /// Writes a line that the screen gets, unless it is one of a part. Never
   /// throws; see check().
   void show(const std::string &text);
+
+  /// Writes a line that takes back a warning of before: the screen gets it as
+  /// it got the warning. Never throws; see check().
+  void take_back(const std::string &text);
 
   /// Writes a line of progress on the screen alone.
   void progress(const std::string &text);
