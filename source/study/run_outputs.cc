@@ -145,15 +145,19 @@ void RunOutputs::mark_lower_limits()
   for (const auto &[address, output] : values_)
     for (const std::string flag : {"cut_off", "cut off"})
       if (output.value == 1. && ends_with(address, flag))
-        for (const char *const name : {"impulse",
-                                       "duration",
-                                       "positive_phase",
-                                       "positive phase",
-                                       "value"})
-          if (const auto found = values_.find(
-                address.substr(0, address.size() - flag.size()) + name);
-              found != values_.end())
+      {
+        const std::string begin =
+          address.substr(0, address.size() - flag.size());
+        // The last is the whole name of a measure, without "_".
+        for (const std::string &limit : {begin + "impulse",
+                                         begin + "duration",
+                                         begin + "positive_phase",
+                                         begin + "positive phase",
+                                         begin + "value",
+                                         begin.substr(0, begin.size() - 1)})
+          if (const auto found = values_.find(limit); found != values_.end())
             found->second.is_lower_limit = true;
+      }
 }
 
 void RunOutputs::add_files(const std::string &folder,

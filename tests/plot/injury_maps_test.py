@@ -176,6 +176,23 @@ class InjuryMapsTest(unittest.TestCase):
             for other in boxes[:i]:
                 self.assertFalse(box.overlaps(other))
 
+    def test_lower_limits(self):
+        """Are hatched, and told with their area; other fields are as before."""
+        found = fields()
+        title = "chest wall under side-on pressure"
+        self.assertFalse(any(one.get_hatch() for one in
+                             self.drawn(found)[title].collections))
+        found[injury_maps.LIMITS] = np.tile([np.nan, 0., 0., 1., 1.], (3, 1)), "-"
+        self.assertEqual(set(self.maps(found)["gauges_plane_1"]), set(found))
+        hatched = [one for one in self.drawn(found)[title].collections
+                   if one.get_hatch()]
+        self.assertEqual(len(hatched), 1)
+        self.assertEqual(hatched[0].get_array().count(), 6)
+        tiny_scene.write_all(self.folder)
+        self.write(found, os.path.join(self.folder, "blast"))
+        text = "".join(map(str, blast_sections.people(Scene(self.folder))))
+        self.assertIn("It is a lower limit (≥, hatched) on 0.750 m²", text)
+
     def test_report(self):
         """The section is there where it was asked for."""
         tiny_scene.write_all(self.folder)

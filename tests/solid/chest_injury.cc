@@ -82,6 +82,13 @@ TEST(ChestInjury, CallsWhatTheEndCutsOffALowerLimit)
     EXPECT_EQ(found, limits) << n_samples;
     EXPECT_EQ(to_csv(chest.measures()).find("\",1\n") != std::string::npos,
               n_samples < 4001);
+    std::string marked;
+    for (const auto &value : values_of(chest.measures()))
+      if (value.name.find("_cut_off") != std::string::npos)
+        marked.back() = '1';
+      else
+        marked += '0';
+    EXPECT_EQ(marked, limits) << n_samples;
   }
 }
 

@@ -89,16 +89,23 @@ TEST_F(SceneFolder, MarksLowerLimits)
   write("blast/gauge_injury.csv",
         "measure,place,value,unit,definition,cut off [-]\n"
         "velocity,chest,1,m/s,\"a, b\",1\nvelocity,back,1,m/s,\"a, b\",0\n");
+  write("biomechanics/summary.json", R"({"results": {
+    "injury_chest_wall_velocity": {"value": 3, "unit": "m/s"},
+    "injury_chest_wall_velocity_cut_off": {"value": 1, "unit": "-"},
+    "injury_chest_wall_velocity_mesh": {"value": 2, "unit": "m/s"}}})");
   const RunOutputs outputs(folder_.path());
   for (const char *limit : {"blast/results.probe_1_impulse",
+                            "biomechanics/results.injury_chest_wall_velocity",
                             "blast/gauge_measures.csv:chest:impulse",
                             "blast/gauge_measures.csv:chest:positive phase",
                             "blast/gauge_injury.csv:velocity chest:value"})
     EXPECT_TRUE(outputs.at(limit).is_lower_limit) << limit;
-  for (const char *other : {"blast/results.probe_1_peak",
-                            "blast/results.probe_2_impulse",
-                            "blast/gauge_measures.csv:back:impulse",
-                            "blast/gauge_injury.csv:velocity back:value"})
+  for (const char *other :
+       {"blast/results.probe_1_peak",
+        "biomechanics/results.injury_chest_wall_velocity_mesh",
+        "blast/results.probe_2_impulse",
+        "blast/gauge_measures.csv:back:impulse",
+        "blast/gauge_injury.csv:velocity back:value"})
     EXPECT_FALSE(outputs.at(other).is_lower_limit) << other;
 }
 

@@ -23,8 +23,8 @@ def take_maps(found):
     maps = {}
     for name in list(found):
         quantity = found[name][0].quantity
-        if quantity in QUANTITIES + injury_maps.INJURIES \
-                and name.endswith("_" + quantity):
+        if quantity in (*QUANTITIES, *injury_maps.INJURIES,
+                        injury_maps.LIMITS) and name.endswith("_" + quantity):
             stem = name[:-len(quantity) - 1]
             maps.setdefault(stem, {})[quantity] = found.pop(name)[0]
     return maps

@@ -5,7 +5,7 @@ of equal probability, and the limit of training."""
 
 import matplotlib.pyplot as plt
 import numpy as np
-from matplotlib.colors import LogNorm, Normalize
+from matplotlib.colors import ListedColormap, LogNorm, Normalize
 from matplotlib.patheffects import withStroke
 
 from plot.figures import blast_maps, style
@@ -27,6 +27,9 @@ PANELS = {
 # Names of the fields that planes with injuries have, others do not.
 INJURIES = ("eardrum_rupture", "lung_exposure", "lung_lethality",
             "chest_wall_velocity", "first_phase_fraction")
+# Field that is 1 where the velocity of the chest wall is a lower limit; planes of
+# before 0.2.0 have none.
+LIMITS = "chest_wall_velocity_cut_off"
 
 
 def are_in(maps):
@@ -50,6 +53,12 @@ def area_above(maps, name, level):
 def area_unknown(maps, name):
     """Area of the plane [m^2] where a quantity is not known, see draw()."""
     return _area_where(maps[name], ~_known(maps, name))
+
+
+def area_of_limits(maps):
+    """Area of the plane [m^2] where the velocity of the chest wall is a lower
+    limit."""
+    return area_above(maps, LIMITS, 0.5) if LIMITS in maps else 0.
 
 
 def area(maps):
@@ -82,12 +91,15 @@ def _known(maps, name):
 
 def draw(maps, path, own=None):
     """A panel for each measure; grey where the blast has not arrived or the
-    measure is not known, that of lungs also where the wave is not simple. @p
-    own: named levels in place of those of PANELS, by measure."""
+    measure is not known, that of lungs also where the wave is not simple;
+    hatched where the velocity of the chest wall is a lower limit. @p own: named levels in place of those of PANELS, by measure."""
     figure, axes = blast_maps.four_panels(maps["peak_overpressure"])
     for axis, (name, (title, levels)) in zip(axes.flat, PANELS.items()):
         _draw_panel(figure, axis, maps[name], _known(maps, name), title,
                     (own or {}).get(name, levels))
+    if area_of_limits(maps) > 0.:
+        _hatch(axes.flat[list(PANELS).index("chest_wall_velocity")],
+               maps[LIMITS])
     style.save(figure, path)
 
 
@@ -114,6 +126,20 @@ def _draw_panel(figure, axis, plane, known, title, levels):
     bar.set_label(unit, fontsize=9)
     bar.outline.set_visible(False)
     _draw_levels(axis, plane, values, levels)
+
+
+def _hatch(axis, plane):
+    """Where a field is 1, a gauge at a time."""
+    left, right, bottom, top = plane.extent()
+    rows, columns = plane.values.shape
+    axis.pcolor(np.linspace(left, right, columns + 1),
+                np.linspace(bottom, top, rows + 1),
+                np.ma.masked_where(~(plane.values > 0.5), plane.values),
+                cmap=ListedColormap(["none"]), hatch="///",
+                edgecolor="#808080", linewidth=0.)
+    axis.text(0.98, 0.04, "hatched: lower limit (≥)", fontsize=8, ha="right",
+              transform=axis.transAxes, bbox={"facecolor": "white", "pad": 2.,
+                                              "edgecolor": "none"})
 
 
 def _draw_levels(axis, plane, values, levels):

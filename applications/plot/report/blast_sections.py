@@ -107,8 +107,16 @@ def people(scene):
                + page.joined(PEOPLE[name][1] for name in own) + "; "
                if own else "")
             + "the chest wall velocity: "
-            f"{KNOWN['chest_wall_velocity_air'].limits}."))
+            f"{KNOWN['chest_wall_velocity_air'].limits}."
+            + _limits_of_velocity(maps)))
     return parts
+
+
+def _limits_of_velocity(maps):
+    """Where the run ends before the chest wall is slower, in words."""
+    limits = injury_maps.area_of_limits(maps)
+    return (f" It is a lower limit (≥, hatched) on {page.number(limits)} m²: the "
+            "run ends too early there.") if limits > 0. else ""
 
 
 def _limit(name, limit):

@@ -366,8 +366,9 @@ std::vector<NamedValue> ParticleSimulation::results()
   set_to_whole(values, mesh_.computed_fraction(), mesh_.symmetry_planes());
   for (const NamedValue &value : head_.coup(communicator_))
     values.push_back(value);
-  for (const solid::InjuryMeasure &measure : head_.measures(communicator_))
-    values.push_back(measure.value);
+  for (const NamedValue &value :
+       solid::values_of(head_.measures(communicator_)))
+    values.push_back(value);
   return values;
 }
 

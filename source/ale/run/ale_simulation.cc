@@ -423,8 +423,9 @@ std::vector<NamedValue> AleSimulation::results()
   }
   for (const NamedValue &value : head_.coup(communicator_))
     values.push_back(value);
-  for (const solid::InjuryMeasure &measure : head_.measures(communicator_))
-    values.push_back(measure.value);
+  for (const NamedValue &value :
+       solid::values_of(head_.measures(communicator_)))
+    values.push_back(value);
   return values;
 }
 

@@ -335,8 +335,11 @@ ProbeRasters<dim>::quantities() const
 {
   auto result = map_quantities;
   if (has_injuries())
+  {
     result.insert(
       result.end(), air_injury_quantities.begin(), air_injury_quantities.end());
+    result.emplace_back("chest_wall_velocity_cut_off", "-");
+  }
   return result;
 }
 
@@ -362,6 +365,11 @@ std::vector<double> ProbeRasters<dim>::values(const std::size_t i,
     if (!(probes_.records()[i].end > 0.))
       injuries[lungs] = std::numeric_limits<double>::quiet_NaN();
   result.insert(result.end(), injuries.begin(), injuries.end());
+  result.push_back(std::isnan(exposure.chest.largest_velocity) ||
+                       !(blast.peak > 0.)
+                     ? std::numeric_limits<double>::quiet_NaN()
+                   : exposure.chest.is_fastest_now() ? 1.
+                                                     : 0.);
   return result;
 }
 

@@ -14,6 +14,19 @@ InjuryMeasure known_measure(const std::string &name, const double value)
 }
 
 
+std::vector<NamedValue> values_of(const std::vector<InjuryMeasure> &measures)
+{
+  std::vector<NamedValue> values;
+  for (const InjuryMeasure &measure : measures)
+  {
+    values.push_back(measure.value);
+    if (measure.is_cut)
+      values.push_back({measure.value.name + "_cut_off", "-", 1.});
+  }
+  return values;
+}
+
+
 void apply(const OwnThresholds &own, std::vector<InjuryMeasure> &measures)
 {
   for (const std::string &name : own.measures())

@@ -328,8 +328,8 @@ std::vector<NamedValue> SolidSimulation<Real>::results()
 {
   std::vector<NamedValue> values = probes_.measured();
   if (injury_.active())
-    for (const InjuryMeasure &measure : injury_.measures(body_))
-      values.push_back(measure.value);
+    for (const NamedValue &value : values_of(injury_.measures(body_)))
+      values.push_back(value);
   if (peaks_.active())
     for (const NamedValue &value : peaks_.measures(body_))
       values.push_back(value);

@@ -238,8 +238,9 @@ TEST(ProbeRasters, InjuriesAreThoseOfTheHistory)
 }
 
 
-// A run that ends in the positive phase says where.
-TEST(ProbeRasters, TellWhereTheBlastGoesOn)
+// A run that ends while the chest wall gets faster has a lower limit of its
+// velocity, and says where the blast goes on.
+TEST(ProbeRasters, MarkVelocitiesThatTheEndCutsOff)
 {
   for (const unsigned int n_steps : {20U, 800U})
   {
@@ -256,6 +257,15 @@ TEST(ProbeRasters, TellWhereTheBlastGoesOn)
                 std::string::npos)
         << gaps[0];
     }
+    const std::string folder = make_folder();
+    scene.rasters.write(scene.run.snapshot(), folder);
+    if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+    {
+      const io::VtkInput plane(folder + "/gauges_plane_1.vti");
+      EXPECT_EQ(uniform(plane, "chest_wall_velocity_cut_off"),
+                is_cut ? 1. : 0.);
+    }
+    std::filesystem::remove_all(folder);
   }
 }
 
@@ -289,9 +299,9 @@ TEST(ProbeRasters, ChestsAreUnknownWhereAnEarlierStageHadTheBlast)
               "x [m],y [m],peak_overpressure [Pa],impulse [Pa s],arrival [s],"
               "duration [s],lung_exposure [-],lung_lethality [-],"
               "eardrum_rupture [-],chest_wall_velocity [m/s],"
-              "first_phase_fraction [-]");
+              "first_phase_fraction [-],chest_wall_velocity_cut_off [-]");
     std::getline(line, text);
-    EXPECT_EQ(text.substr(text.size() - 6), ",nan,1");
+    EXPECT_EQ(text.substr(text.size() - 10), ",nan,1,nan");
     std::vector<double> row;
     std::stringstream words(text);
     for (std::string word; std::getline(words, word, ',');)
@@ -302,7 +312,7 @@ TEST(ProbeRasters, ChestsAreUnknownWhereAnEarlierStageHadTheBlast)
                   lung_median_lethal_overpressure(2e-3, 78.5, 101325.),
                 1e-6);
     std::getline(line, text);
-    EXPECT_EQ(text, "0.9,0.5,nan,nan,nan,nan,nan,nan,nan,nan,nan");
+    EXPECT_EQ(text, "0.9,0.5,nan,nan,nan,nan,nan,nan,nan,nan,nan,nan");
   }
   std::filesystem::remove_all(folder);
 }

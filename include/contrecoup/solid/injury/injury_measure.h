@@ -23,6 +23,9 @@ struct InjuryMeasure
 /// A measure with what injury_criterion() knows of its name.
 InjuryMeasure known_measure(const std::string &name, double value);
 
+/// Values for a summary; of each lower limit also "NAME_cut_off", which is 1.
+std::vector<NamedValue> values_of(const std::vector<InjuryMeasure> &measures);
+
 /// Replaces the published thresholds of @p measures by the user's own.
 void apply(const OwnThresholds &own, std::vector<InjuryMeasure> &measures);
 
