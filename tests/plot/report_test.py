@@ -738,6 +738,20 @@ class ReportTest(unittest.TestCase):
         self.assertEqual(error_estimate.least_phases(alone), {})
         self.assertIn("least positive phase", self.text)
         self.assertIn("the error of the phase does not hold", self.text)
+        self.assertIn("Errors of peak, impulse and positive phase on the skin "
+                      "are each at least the median over all places", self.text)
+
+    def test_minimum_on_the_skin(self):
+        """Is of what follows the arrival, not of noise before it."""
+        folder = self.copy_without("biomechanics/fields.pvd", "blast/fields")
+        times = tiny_scene.TIMES
+        history = np.where(times < tiny_scene.BEGIN, -50., 1e5)
+        scene = Scene(folder)
+        for last, minimum in ((10., "–"), (-2e3, "−2.00")):
+            history[-1] = last
+            gauges = Columns(time=times, chest=history)
+            self.assertIn(f">{minimum}<", str(
+                blast_sections._gauge_table(scene, gauges)))
 
     def test_walls(self):
         """Sides that reflect are named where the wave is told and judged, and

@@ -303,7 +303,7 @@ def _gauge_table(scene, gauges):
     for name, measures in scene.gauge_measures().items():
         if measures["peak"] <= 0. or name not in gauges:
             continue
-        lowest = float(gauges[name].min())
+        lowest = float(gauges[name][time >= measures["arrival"]].min())
         is_cut = measures["cut off"] > 0.
         rows.append((
             name, page.number(1e3 * measures["arrival"]),
@@ -318,8 +318,9 @@ def _gauge_table(scene, gauges):
         header, rows,
         "Arrival: the middle of the first rise. Positive phase and impulse "
         "last from the arrival until the overpressure first falls to zero "
-        "after its peak; ≥ means that the run ended before. Minimum: a dash means that the "
-        "pressure never falls below the ambient pressure. Rise time: from a "
+        "after its peak; ≥ means that the run ended before. Minimum: of what follows the "
+        "arrival; a dash means that the pressure does not fall below the ambient "
+        "pressure. Rise time: from a "
         "tenth to nine tenths of the first peak; cells and patches lengthen "
         "it.", numbers=range(1, 7),
         data=(header + ("positive phase",),

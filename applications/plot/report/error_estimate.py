@@ -173,9 +173,9 @@ def section(scene, judged):
         page.tag(
             "span", coarser
             + ". The estimated error is the difference of both runs over r", page.tag("sup", ORDER), " − 1 with the ratio r of "
-            "the sizes, and at least 2 %. The error of a peak on the skin is "
-            "at least the median over all places, since both runs may agree at "
-            "one place by chance. For chest wall and lungs the error is at "
+            "the sizes, and at least 2 %. Errors of peak, impulse and "
+            "positive phase on the skin are each at least the median over all "
+            "places, since both runs may agree at one place by chance. For chest wall and lungs the error is at "
             "least that of the peak on the chest, or on the back "
             "where that is shown, and beside the body that of the incident "
             "peak; probabilities have the bounds that follow from the error of "

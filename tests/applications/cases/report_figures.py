@@ -652,7 +652,9 @@ def check_gauges(page, files):
             "places on the skin are others")
     for row in rows:
         measures = files.places[row["place"]]
-        lowest = min(files.gauges[row["place"]])
+        lowest = min(value for time, value in zip(
+            files.gauges["time"], files.gauges[row["place"]])
+            if time >= measures["arrival"])
         known = {"peak [kPa]": measures["peak"],
                  "arrival [ms]": measures["arrival"],
                  "impulse [Pa s]": measures["impulse"],
