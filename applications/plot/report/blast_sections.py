@@ -10,7 +10,8 @@ from plot.readers import files, loads
 from plot.analysis import person, signals, wave_times
 from plot.figures import (body_loads, body_views, injury_maps, plane_cuts,
                           style)
-from plot.report import error_estimate, injury_thresholds, page, unfinished
+from plot.report import (error_estimate, injury_thresholds, least_phases, page,
+                         unfinished)
 from plot.report.injury_thresholds import KNOWN
 
 # Of maps of people: the measure with thresholds, what it is called, and the
@@ -335,9 +336,7 @@ def _gauge_errors(scene, gauges):
         return page.paragraph("The numerical errors of this table are unknown: "
                               "the scene has no coarser run.", kind="note")
     known = scene.gauge_measures()
-    least = {name: phase for name, phase in
-             error_estimate.least_phases(scene).items()
-             if phase < known.get(name, {}).get("positive phase", 0.)}
+    least = least_phases.of_skin(scene)
     rows = [(name, *(page.error(errors[name][measure])
                      if measure in errors.get(name, {}) else "unknown"
                      for measure in error_estimate.GAUGE_MEASURES),
@@ -347,11 +346,13 @@ def _gauge_errors(scene, gauges):
     return page.table(
         ("place", "error of peak", "error of impulse",
          "error of positive phase", "least positive phase"), rows,
-        "Numerical errors, estimated from the coarser run. Where a second wave "
-        "comes within the positive phase of this run or of the coarser one, the "
-        "error of the phase does not hold: finer cells may let the pressure "
-        "fall to zero in the dip before that wave, after the least positive "
-        "phase. A dash: no dip shows; cells that merge both waves hide it, too.",
+        "Numerical errors, estimated from the coarser run; each is at least the "
+        "median of its column. Where a second wave comes within the positive "
+        "phase of this run or of the coarser one, errors of impulse and phase do "
+        "not hold if finer cells may let the pressure fall to zero in the dip "
+        "before that wave, after the least positive phase: where the dip is no "
+        "deeper than its error, or in one run alone. A dash: no such dip shows; "
+        "cells that merge both waves hide it, too.",
         numbers=(1, 2, 3, 4))
 
 

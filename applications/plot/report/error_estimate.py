@@ -5,7 +5,6 @@
 import math
 import statistics
 
-from plot.analysis import signals
 from plot.report import page
 
 # Assumed order of convergence: pressures at fronts converge slower than to
@@ -18,8 +17,6 @@ ORDER = 0.7
 GAUGE_MEASURES = ("peak", "impulse", "positive phase")
 # Smallest relative error of a measure: two runs can agree by chance.
 LEAST = 0.02
-# Fraction of the peak by which a dip between two waves stands out.
-SMALLEST_DIP = 0.02
 
 
 def of_gauges(fine, coarse, ratio, names=GAUGE_MEASURES):
@@ -50,31 +47,6 @@ def of_scene_gauges(scene):
     ratio = (scene.facts.get("coarser_run") or {}).get("cell_ratio", 2.)
     return of_gauges(scene.gauge_measures(), scene.coarser.gauge_measures(),
                      ratio)
-
-
-def least_phases(scene):
-    """Times from the arrival at a place on the skin to the first dip before a
-    second wave within the positive phase, in this run or the coarser one [s]:
-    finer cells may end the phase there. By the place, without those that have no
-    dip."""
-    found = {}
-    for run in (scene, scene.coarser):
-        gauges = run and run.blast.table("load_gauges.csv")
-        if gauges is None:
-            continue
-        for name, measures in run.gauge_measures().items():
-            begin, length = measures["arrival"], measures["positive phase"]
-            if name not in gauges or not measures["peak"] > 0.:
-                continue
-            inside = (gauges["time"] >= begin) \
-                & (gauges["time"] <= begin + length)
-            dips = signals.extrema(
-                gauges["time"][inside], gauges[name][inside],
-                SMALLEST_DIP * measures["peak"])[1] if inside.any() else []
-            if dips:
-                found[name] = min(found.get(name, math.inf),
-                                  dips[0][0] - begin)
-    return found
 
 
 def factor(scene, name):
@@ -172,14 +144,16 @@ def section(scene, judged):
         ("measure", "coarser run", "this run", "estimated error"), rows,
         page.tag(
             "span", coarser
-            + ". The estimated error is the difference of both runs over r", page.tag("sup", ORDER), " − 1 with the ratio r of "
-            "the sizes, and at least 2 %. Errors of peak, impulse and "
+            + ". The estimated error is the difference of both runs over r",
+            page.tag("sup", ORDER), " − 1 with the ratio r of the sizes, and at least 2 %. Errors of peak, impulse and "
             "positive phase on the skin are each at least the median over all "
-            "places, since both runs may agree at one place by chance. For chest wall and lungs the error is at "
-            "least that of the peak on the chest, or on the back "
+            "places, since both runs may agree at one place by chance. For "
+            "chest wall and lungs the error is at least that of the peak on the chest, or on the back "
             "where that is shown, and beside the body that of the incident "
             "peak; probabilities have the bounds that follow from the error of "
-            "the pressure or load by their curve; what happens in the body has "
+            "the pressure or load by their curve; the least load is that of the "
+            "least positive phase, where finer cells may end it before a second "
+            "wave; what happens in the body has "
             "at least the difference of the impulse on the elements from the "
             "recorded one; maximum and minimum brain pressure both take the "
             "larger of their errors, and so do fraction and mean time of the "

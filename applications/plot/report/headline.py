@@ -8,8 +8,8 @@ import re
 from plot.analysis import person
 from plot.readers import files
 from plot.readers.scene import COARSER
-from plot.report import (error_estimate, injury_table, load_impulses, page,
-                         reflections, unfinished, verdict)
+from plot.report import (error_estimate, injury_table, least_phases,
+                         load_impulses, page, reflections, unfinished, verdict)
 from plot.report.energy_audit import EnergyAudit
 from plot.report.injury_thresholds import KNOWN, of_run
 
@@ -26,7 +26,7 @@ COMPARED = {"peak_overpressure": "peak overpressure",
             "reflected_impulse": "reflected impulse", "lung_exposure": KNOWN["lung_exposure_air"][0],
             "lung_lethality": KNOWN["lung_lethality"][0],
             "eardrum_rupture": "rupture probability of an eardrum in the open"}
-PROBE = "probe 1"  # where the run is compared with the tables
+PROBE = least_phases.PROBE  # where the run is compared with the tables
 LUNGS = ("lung_exposure", "lung_lethality")
 # What grows with the positive phase.
 OF_THE_PHASE = ("impulse", "duration")
@@ -55,6 +55,7 @@ class Lead:
         self.lungs = "" if mass is None or not any(
             row.get("name") in LUNGS for row in _rows(scene)) else (
                 f"; lungs of a person of {page.given(float(f'{mass:.3g}'), 'kg')}")
+        self.explaining = reflections.explaining(scene)
         self.reflections = reflections.note(scene)
         left_out = ([] if reflections.is_surface_burst(scene) else ["ground"]) \
             + ["body"] + (["walls"] if reflections.walls(scene) else [])
@@ -99,8 +100,9 @@ class Lead:
         return page.table(
             ("beside the body, in the open", "this run", "tables"),
             self.compared, caption + "±: errors of the numerics, where they are "
-            "known, and of the tables; what differs by more is marked, unless reflections may "
-            f"explain it. {self.reflections}", numbers=(1, 2), data=self.file)
+            "known, and of the tables; what differs by more is marked, unless "
+            f"{self.explaining} may explain it. {self.reflections}",
+            numbers=(1, 2), data=self.file)
 
     def doubts(self):
         """What could change the verdict, and the warnings."""
@@ -159,6 +161,7 @@ def _compared(scene):
     neither a probe as far from the charge as the body nor a gauge there."""
     rows, compared = [], scene.list_of("table_comparison")
     is_cut = scene.blast.found("results", "probe_1_cut_off")
+    least = least_phases.at_probe(scene)
     for row in _rows(scene):
         name, unit = str(row.get("name")), row.get("unit") or "-"
         is_chance = name in CHANCES
@@ -167,6 +170,8 @@ def _compared(scene):
                  for key in (("run", "tables") if compared else ("tables",))]
         if compared and is_cut and name in OF_THE_PHASE:
             cells[0] = "≥ " + cells[0]
+        if compared and least is not None and name == "duration":
+            cells[0] += f", least {page.milliseconds(least)}"
         wall = row.get("before_a_wall", scene.table_answer(name)[1])
         if is_chance and wall is not None:
             cells[-1] += f" ({page.chance(wall)} before a wall)"

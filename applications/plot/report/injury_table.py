@@ -7,8 +7,8 @@ import re
 
 from plot.analysis import person
 from plot.readers import stage
-from plot.report import (error_estimate, injury_thresholds, load_impulses,
-                         page)
+from plot.report import (error_estimate, injury_thresholds, least_phases,
+                         load_impulses, page)
 from plot.report.injury_thresholds import Known
 
 # Names of the measures of gauge_injury.csv; of chest and back, and of an upper
@@ -44,16 +44,18 @@ GROUPS = (("Ears", ("ear_",)),
 class Judged:
     """A measure beside its thresholds. Its error is relative; that of a
     probability is of the measure @p of which follows it by a @p curve. One that
-    the end of the run cuts off is a lower limit."""
+    the end of the run cuts off is a lower limit. Finer cells may leave a
+    @p least_part of one that goes by the positive phase."""
 
     def __init__(self, name, value, unit, known, error, error_of,
-                 coarser=None, curve="", of=None, is_cut=False):
+                 coarser=None, curve="", of=None, is_cut=False, least_part=1.):
         self.name, self.value, self.unit = name, value, unit
         self.title, self.thresholds = known.title, known.thresholds
         self.source, self.limits = known.source, known.limits
         self.is_own = known.is_own
         self.coarser, self.error, self.error_of = coarser, error, error_of
         self.curve, self.of, self.is_cut = curve, of, is_cut
+        self.least_part = least_part
         self.is_fraction = bool(curve) or self.title.startswith("fraction ")
         # A lower limit that exceeds no threshold yet says nothing.
         self.is_open = is_cut and not self.exceeded()
@@ -72,7 +74,7 @@ class Judged:
             return None
         value = self.value if self.of is None else self.of
         spread = abs(value) * self.error if value else self.coarser_spread()
-        ends = [value - spread, value + spread]
+        ends = [self.least_part * (value - spread), value + spread]
         if curve or self.curve:
             return tuple(injury_thresholds.probability(curve or self.curve,
                                                        end) for end in ends)
@@ -117,7 +119,9 @@ class Judged:
         if not self.value and self.of is None:
             return f"up to {self.shown(self.bounds()[1])}"
         return page.interval(*self.bounds()) if self.is_fraction \
-            else page.error(self.error)
+            else page.error(self.error) + (
+                "" if self.least_part == 1. else
+                f", least {self.shown(self.bounds()[0])}")
 
     def exceeded(self, value=None):
         """Number of thresholds that a value, or this one's, exceeds."""
@@ -171,6 +175,7 @@ def judge(scene):
         error, causes = (None, "") if other is None else error_estimate.of(
             scene, name, value, other)
         curve, of = "", None
+        least_part = 1.
         if name.startswith("ear_rupture_"):
             place = name[len("ear_rupture_"):]
             curve = "eardrum_rupture"
@@ -180,18 +185,21 @@ def judge(scene):
             # Its load stands before it.
             curve, load = name, find(judged, "lung_exposure_air") or find(
                 judged, SKIN_NAMES["lung_exposure", side])
-            of, error = load.value, load.error
+            of, error, least_part = load.value, load.error, load.least_part
         elif name == "lung_exposure_air":
             error = _at_least(error, error_estimate.of_result(
                 scene, "probe_1_peak_overpressure") or 0.)
+            least_part = least_phases.part_of_load(scene, least_phases.PROBE)
         elif name.startswith(("chest_wall_", "lung_")):
             # Errors of peak and duration can cancel in what follows from both.
             error = _at_least(error, of_gauges.get(side, {}).get("peak", 0.))
+            if name == SKIN_NAMES.get(("lung_exposure", side)):
+                least_part = least_phases.part_of_load(scene, side)
         else:
             error = _at_least(error, load_impulses.difference(scene))
         judged.append(Judged(name, value, measure.unit, known, error, causes,
                              other, curve if of is not None else "", of,
-                             measure.is_cut))
+                             measure.is_cut, least_part))
     _share_errors(judged)
     return judged
 
@@ -311,7 +319,7 @@ def _measures_of(scene, run, side, lungs, all_known):
     if lungs == "probe":
         for (measure, place), one in run.air_injury().items():
             name = AIR_NAMES.get(measure)
-            if place == "probe 1" and name is not None:
+            if place == least_phases.PROBE and name is not None:
                 add(name, one, all_known[name])
     for name, measure in run.measures().items():
         if name in NO_INJURY or name in injury_thresholds.OF_CURVES:

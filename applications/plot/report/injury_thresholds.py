@@ -12,6 +12,7 @@ from typing import NamedTuple
 
 from plot.readers import files
 
+SEA_LEVEL = 101325.  # Pa
 HERE = os.path.dirname(os.path.abspath(__file__))
 # Beside this file where Contrecoup is installed, beside the code elsewhere.
 DATA = [path for path in (
@@ -122,6 +123,16 @@ def probability(curve, value):
     below = 0.5 * math.erfc(-place / math.sqrt(2.))
     return max(below, probability(known["includes"], value)) \
         if "includes" in known else below
+
+
+def median_lethal_load(phase, mass, ambient):
+    """Load that half survive for a positive phase [s], a body mass [kg] and an
+    ambient pressure [Pa], over that for an endless phase, as the C++ function
+    lung_median_lethal_overpressure() has it."""
+    known = _KNOWN["curves"]["lung_median_lethal_load"]
+    scaled = 1e3 * phase * (70. / mass) ** (1. / 3.) * math.sqrt(
+        ambient / SEA_LEVEL)
+    return 1. + known["factor"] * scaled ** known["exponent"]
 
 
 def title(name):

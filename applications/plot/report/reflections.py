@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from plot.readers import files
-from plot.report import page
+from plot.report import least_phases, page
 
 
 def reflectors(scene, has_ground=True):
@@ -50,17 +50,58 @@ def note(scene):
     """What reflections and the end of the run do to the wave at the first probe,
     as sentences."""
     is_cut = scene.blast.found("results", "probe_1_cut_off")
-    return _reflections(scene) + (
+    merges = _may_merge(scene)
+    least = least_phases.at_probe(scene)
+    others = reflectors(scene, has_ground=not merges)
+    return (
+        "The wave at the probe may have merged with its reflection by the "
+        "ground, which raises peak and impulse and lets it arrive earlier"
+        if merges else
+        "Peak and arrival at the probe are those of the incident wave") + (
+        f"; reflections by {others} add to impulse and duration."
+        if least is None else f". {_second_wave(scene, least, others)}") + (
         " The run ends before the positive phase does: its impulse and duration "
         "are lower limits, and what it does to lungs is unknown."
         if is_cut else "")
 
 
-def _reflections(scene):
-    """What reflections do to the wave at the first probe, as a sentence: a wave
-    that meets the ground at more than 40 degrees, where regular reflection of
-    strong shocks ends, may have merged with its reflection, unless its peak is
-    below that of the tables."""
+def explaining(scene):
+    """What may explain a longer or stronger wave at the first probe than that of
+    the tables, in words."""
+    if least_phases.at_probe(scene) is None:
+        return "reflections"
+    return "the second wave" if _place_of_second_shock(scene) else \
+        "reflections or the second wave"
+
+
+def _second_wave(scene, least, others):
+    """What is told of a second wave at the first probe before which finer cells
+    may end the positive phase, as sentences."""
+    place = _place_of_second_shock(scene)
+    return (
+        "A second wave comes within the positive phase there, "
+        f"{page.milliseconds(least)} after the arrival or later: "
+        + (f"the charge's own second shock, which the {place} has at the same "
+           "time." if place else
+           f"the charge's own second shock, or a reflection by {others}.")
+        + " Impulse, duration and the load on lungs are those of both waves. "
+        "Their errors do not hold, since finer cells may let the pressure fall "
+        "to zero between the waves, which leaves the duration that is called "
+        "the least.")
+
+
+def _place_of_second_shock(scene):
+    """Where on the skin, as far from the charge, the second wave at the first
+    probe shows that no reflection is in it; None where one may be."""
+    if walls(scene) or not (is_surface_burst(scene) or _ground_is_late(scene)):
+        return None
+    return least_phases.place_of_same_wave(scene)
+
+
+def _may_merge(scene):
+    """Whether the wave at the first probe may have merged with its reflection:
+    one that meets the ground at more than 40 degrees, where regular reflection
+    of strong shocks ends, unless its peak is below that of the tables."""
     distance, height = scene.fact("distance"), scene.fact("height")
     may_merge = None not in (distance, height) and math.atan2(
         distance, 2. * height) > math.radians(40.)
@@ -68,15 +109,8 @@ def _reflections(scene):
              for row in scene.list_of("table_comparison")
              if row.get("name") == "peak_overpressure"]
     is_lower = any(None not in pair and pair[0] < pair[1] for pair in peaks)
-    if may_merge and not is_lower and not is_surface_burst(scene) \
-            and not _ground_is_late(scene):
-        return ("The wave at the probe may have merged with its reflection by "
-                "the ground, which raises peak and impulse and lets it arrive "
-                "earlier; reflections by "
-                f"{reflectors(scene, has_ground=False)} add to impulse and "
-                "duration.")
-    return ("Peak and arrival at the probe are those of the incident wave; "
-            f"reflections by {reflectors(scene)} add to impulse and duration.")
+    return may_merge and not is_lower and not is_surface_burst(scene) \
+        and not _ground_is_late(scene)
 
 
 def is_late(scene, place, arrival, time):

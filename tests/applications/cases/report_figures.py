@@ -10,6 +10,7 @@ import re
 import statistics
 
 import report_reader
+import second_waves
 from case import read_columns, read_json, read_rows, read_text, require
 from report_reader import require_same
 from summaries import flaw_of, values_of
@@ -109,6 +110,10 @@ class Files:
             name: value
             for value, name in of_skin(skin, self.side).values()})
 
+        self.least_phases = second_waves.of_skin(output, self.places,
+                                                 self.coarser_places)
+        self.least_at_probe = second_waves.at_probe(output)
+
         paths = [os.path.join(output, stage, "summary.json")
                  for stage in COARSER]
         coarser = [read_json(path) if os.path.exists(path) else {}
@@ -159,6 +164,18 @@ class Files:
         key = ("lung_exposure", self.side if self.trunk_is_far
                or not self.has_probe_at_body() else "probe 1")
         return OF_SKIN[key], self.skin[key]
+
+    def least_part_of_load(self, name):
+        """What a second wave may leave of a load on lungs, as a part."""
+        phases = self.least_at_probe if name in OF_AIR else (
+            self.least_phases.get(self.side) and (
+                self.places[self.side]["positive phase"],
+                self.least_phases[self.side]))
+        if not phases or name not in (
+                "lung_exposure_air", OF_SKIN.get(("lung_exposure", self.side))):
+            return 1.
+        return second_waves.part_of_load(
+            *phases, float(self.entry("blast", "Body mass")))
 
     def _lungs_by_the_skin(self, skin):
         """Replaces the wave beside a person by the load on the trunk where that
@@ -312,7 +329,12 @@ def require_error(text, title, name, value, files):
     elif text == "± more than 100 %":
         require(error > 1., f"{title}: error {error}")
     else:
+        text, _, least = text.partition(", least ")
         require_same(text, error, "error of " + title)
+        part = files.least_part_of_load(name)
+        require(bool(least) == (part != 1.), f"{title}: {text}, {least}")
+        if least:
+            require_same(least, part * value * (1. - error), "least " + title)
 
 
 def _bounds(title, name, value, files):
@@ -327,7 +349,8 @@ def _bounds(title, name, value, files):
         return [normal.cdf(1.524 * math.log(factor * files.peak(name)) - 17.6)
                 for factor in factors]
     if name == "lung_lethality":
-        _, load = files.load_of_lungs()
+        of, load = files.load_of_lungs()
+        factors[0] *= files.least_part_of_load(of)
         return [normal.cdf(math.log(factor * load) / 0.1788)
                 for factor in factors]
     if title.startswith("fraction "):
@@ -416,8 +439,9 @@ def check_headline(page, files):
     wanted += _free_air(files) + _afterburn(files) + _loads(files)
     wanted += _energy(files) + _model_bias(files)
     if "of the median lethal one" in text:
-        wanted += [(rf"({number}) of the median lethal one", value)
-                   for value, name in rows.values() if name == "lung_exposure"]
+        loads = [(name == "lung_exposure_air", value) for value, name
+                 in rows.values() if name.startswith("lung_exposure")]
+        wanted.append((rf"({number}) of the median lethal one", max(loads)[1]))
     for row in files.scene["audit"]:
         told = f" ({row['found']}; limit: {row['limit']})"
         require((told in text) == (row["holds"] is False),
@@ -460,7 +484,11 @@ def check_tables(page, files):
         for cell, key in zip(cells[1:], ("run", "tables")):
             require_chance(cell.removeprefix("≥ "), row[key], name)
             error = row[key + "_error"]
-            shown = cell.partition("±")[2]
+            shown, _, least = cell.partition("±")[2].partition(", least ")
+            known = key == "run" and name == "duration" and files.least_at_probe
+            require(bool(least) == bool(known), f"least of {cells}")
+            if least:
+                require_same(least, known[1], "least duration")
             if shown and "more than" not in shown:
                 require_same(shown, error, f"error of {name}")
     return 4 * len(rows)
@@ -696,6 +724,13 @@ def _check_gauge_errors(rows, files):
                                  else "± more than 100 %"), f"{row}")
             else:
                 require_same(told.lstrip("± "), error, f"{row}")
+            count += 1
+    for row in rows:
+        told, least = row["least positive phase"], files.least_phases.get(
+            row["place"])
+        require((told == "–") == (least is None), f"{row}, {least}")
+        if least is not None:
+            require_same(told, least, f"{row}")
             count += 1
     return count
 
