@@ -407,23 +407,31 @@ class PickedTest(unittest.TestCase):
     def times(self, run):
         return [round(1e3 * time, 3) for time, _ in run.picked()]
 
+    def words(self, run):
+        return head_report.choice(run, [time for time, _ in run.picked()]
+                                  ).replace("\u00a0", " ")
+
     def test_states(self):
         run = Struck(**self.IMPACT)
         self.assertEqual(self.times(run), [1.2, 1.8, 2.6, 4.])
         self.assertEqual(
-            head_report.choice(run).replace("\u00a0", " "),
-            "Times are those of outputs after first contact (1.00 ms), about "
-            "largest force (1.78 ms), rebound (2.51 ms) and end of contact "
-            "(3.99 ms).")
+            self.words(run),
+            "Times are those of outputs that are the nearest to states of the "
+            "impact: 1.20 ms to first contact (1.00 ms); 1.80 ms to largest "
+            "force (1.78 ms); 2.60 ms to rebound (2.51 ms); 4.00 ms to end of "
+            "contact (3.99 ms).")
         flow = [types.SimpleNamespace(time=time) for time, _ in run.picked()]
         self.assertEqual([round(1e3 * cut.time, 3)
                           for cut in run.picked_flow(flow)], [1.8, 4.])
 
     def test_doubles(self):
         """Of two states in one output, and of a contact that goes on."""
-        self.assertEqual(self.times(Struck(**{
-            **self.IMPACT, "peak_contact_force_time": 2.78e-3,
-            "rebound": 2.71e-3})), [1.2, 2., 2.8, 4.])
+        run = Struck(**{**self.IMPACT, "peak_contact_force_time": 2.78e-3,
+                        "rebound": 2.71e-3})
+        self.assertEqual(self.times(run), [1.2, 2., 2.8, 4.])
+        self.assertIn("2.80 ms to largest force (2.78 ms) and rebound (2.71 "
+                      "ms); 4.00 ms to end of contact (3.99 ms); 2.00 ms is "
+                      "shown beside these.", self.words(run))
         times = self.times(Struck(contact_begin=4.1e-3,
                                   peak_contact_force_time=4.96e-3))
         self.assertEqual((len(times), times[0], times[-1]), (4, 4.2, 5.))
@@ -431,14 +439,15 @@ class PickedTest(unittest.TestCase):
     def test_without_contact(self):
         run = Struck()
         self.assertEqual(self.times(run), [0.2, 1.4, 2.6, 5.])
-        self.assertEqual(head_report.choice(run), "")
+        self.assertEqual(self.words(run), "")
         self.assertEqual(self.times(Struck(end=0.)), [])
 
     def test_published(self):
         run = Struck(is_published=True, **self.IMPACT)
         self.assertIn(5., self.times(run))
         self.assertIn(1., self.times(run))
-        self.assertIn("published pictures", head_report.choice(run))
+        self.assertRegex(self.words(run),
+                         "published pictures.*; .* are shown beside these")
 
 
 class CrossingTest(unittest.TestCase):

@@ -167,24 +167,37 @@ class HeadRun(Stage):
         return {name: time for name, time in zip(STATES, times)
                 if time is not None} if times[0] is not None else {}
 
-    def picked(self):
-        """The outputs to show: the nearest to states of the impact, of the
-        published one those at the times of its pictures; where these are few,
-        others far from them, of the contact first."""
+    def _later(self):
+        """Outputs that show something, and when the impact ends."""
         later = [entry for entry in self.fields() if entry[0] > 0.]
         states = self.states()
         end = states.get(STATES[-1], max(later, default=(0.,))[0])
         if self.is_published():
-            chosen = {entry[0]: entry for time in PUBLISHED_TIMES
-                      for entry in later
-                      if abs(entry[0] - time) <= 0.02 * time}
-        else:
-            # Until the contact has begun there is nothing to be seen.
-            begin = states.get(STATES[0], 0.)
-            later = [entry for entry in later
-                     if entry[0] > begin + SEEN * (end - begin)] or later[-1:]
-            chosen = {entry[0]: entry for entry in (
-                nearest(later, time) for time in states.values() if later)}
+            return later, end
+        # Until the contact has begun there is nothing to be seen.
+        begin = states.get(STATES[0], 0.)
+        return [entry for entry in later if entry[0] > begin + SEEN * (
+            end - begin)] or later[-1:], end
+
+    def outputs_of_states(self):
+        """Names of the states of the impact by the times of the outputs that are
+        the nearest to them; of the published one no names, by the times of
+        outputs at those of its pictures."""
+        later, _ = self._later()
+        found = {}
+        if self.is_published():
+            return {entry[0]: [] for time in PUBLISHED_TIMES for entry in later
+                    if abs(entry[0] - time) <= 0.02 * time}
+        for name, time in self.states().items() if later else ():
+            found.setdefault(nearest(later, time)[0], []).append(name)
+        return found
+
+    def picked(self):
+        """The outputs to show: those of outputs_of_states(); where these are
+        few, others far from them, of the contact first."""
+        later, end = self._later()
+        of_states = self.outputs_of_states()
+        chosen = {entry[0]: entry for entry in later if entry[0] in of_states}
         for _ in range(LEAST_PANELS - len(chosen)):
             others = [entry for entry in later if entry[0] not in chosen]
             if others:

@@ -145,17 +145,17 @@ def section(scene, judged):
         page.tag(
             "span", coarser
             + ". The estimated error is the difference of both runs over r",
-            page.tag("sup", ORDER), " − 1 with the ratio r of the sizes, and at least 2 %. Errors of peak, impulse and "
-            "positive phase on the skin are each at least the median over all "
-            "places, since both runs may agree at one place by chance. For "
-            "chest wall and lungs the error is at least that of the peak on the chest, or on the back "
+            page.tag("sup", ORDER), " − 1 with the ratio r of the sizes, and "
+            "at least 2 %. Errors of peak, impulse and positive phase on the "
+            "skin are each at least the median over all places, since both runs "
+            "may agree at one place by chance. For chest wall and lungs the "
+            "error is at least that of the peak on the chest, or on the back "
             "where that is shown, and beside the body that of the incident "
             "peak; probabilities have the bounds that follow from the error of "
             "the pressure or load by their curve; the least load is that of the "
             "least positive phase, where finer cells may end it before a second "
-            "wave; what happens in the body has "
-            "at least the difference of the impulse on the elements from the "
-            "recorded one; maximum and minimum brain pressure both take the "
-            "larger of their errors, and so do fraction and mean time of the "
-            "brain at low pressure."),
+            "wave; what happens in the body has at least the difference of the "
+            "impulse on the elements from the recorded one; maximum and minimum "
+            "brain pressure both take the larger of their errors, and so do "
+            "fraction and mean time of the brain at low pressure."),
         numbers=(1, 2, 3))

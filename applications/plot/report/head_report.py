@@ -270,7 +270,7 @@ def cuts(run, folder):
         f"Pressure in a cut {where}, one scale for all times with square-root "
         "colours: red is compression, blue tension. The scale is that of brain "
         "and CSF, which the skull's pressure goes beyond. "
-        + choice(run))]
+        + choice(run, [time for time, _ in chosen]))]
     if any(run.is_solid(name) for name in run.regions):
         parts.append(figure(
             folder, "head_shear_strain", head_figures.draw_shear(run, found),
@@ -294,15 +294,23 @@ def cuts(run, folder):
     return parts
 
 
-def choice(run):
-    """Which outputs cuts show, as a sentence; "" where nothing is hit."""
-    if run.is_published():
-        return "Times are those of the published pictures, as far as there " \
-            "are outputs."
-    told = [f"{name} ({page.milliseconds(time)})"
-            for name, time in run.states().items()]
-    return "" if not told else "Times are those of outputs after " + ", about ".join(
-        filter(None, (told[0], page.joined(told[1:])))) + "."
+def choice(run, times):
+    """Which outputs cuts show at times, as a sentence; "" where nothing is
+    hit."""
+    states, found = run.states(), run.outputs_of_states()
+    others = [time for time in times if time not in found]
+    told = [f"{page.milliseconds(time)} to " + page.joined(
+        f"{name} ({page.milliseconds(states[name])})" for name in names)
+            for time, names in sorted(found.items()) if names and time in times]
+    if not told and not run.is_published():
+        return ""
+    return ("Times are those of the published pictures, as far as there are "
+            "outputs" if run.is_published() else
+            "Times are those of outputs that are the nearest to states of the "
+            "impact: " + "; ".join(told)) + (
+        "" if not others else f"; {page.moments(others)} "
+        + ("are" if len(others) > 1 else "is") + " shown beside these"
+        ) + "."
 
 
 def contact(run, folder):

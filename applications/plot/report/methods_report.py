@@ -273,7 +273,8 @@ def cuts(pair, folder):
         "Pressure in a cut through the head's centre: "
         f"{pair.names[0]}, {pair.names[1]}, and the second less the first in "
         "brain and CSF; one scale, that of brain and CSF. "
-        + head_report.choice(pair.runs[0]))]
+        + head_report.choice(pair.runs[0],
+                             [entries[0][0] for entries in chosen]))]
 
 
 def _inside(run, cut):
