@@ -287,7 +287,7 @@ std::vector<Assumption> ModellingPlan<dim>::plan() const
         speed_behind_shock(blast->overpressure(std::max(1e-3, farthest)),
                            ambient.pressure,
                            ambient.density);
-    else if (item.name == "quiet_leaves")
+    else if (item.name == "quiet_leaves" && !adapts)
       item.value = expected_quiet_fraction();
   return result;
 }

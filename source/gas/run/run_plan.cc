@@ -133,6 +133,7 @@ std::vector<Assumption> RunPlan<dim>::plan(const Recorders<dim> &recorders)
   plan_.gauges.insert(plan_.gauges.end(), rasters.begin(), rasters.end());
   plan_.end_time = scene.end_time;
   plan_.skips_quiet_leaves = core_.skips_quiet_leaves();
+  plan_.adapts = core_.adaptation_parameters().active;
   plan_.smallest_subcell = finest_edge();
   if (std::isnan(plan_.non_ideal_fraction))
     plan_.non_ideal_fraction = non_ideal_fraction();

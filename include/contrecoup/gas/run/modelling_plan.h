@@ -28,7 +28,8 @@ namespace contrecoup::gas
  *   gravity           its speed is small compared with that of the gas
  *   viscosity,        their boundary layers at the end are thinner than the
  *   heat_conduction   smallest subcell
- *   quiet_leaves      fraction of the updates that is skipped
+ *   quiet_leaves      fraction of the updates that is skipped; estimated only
+ *                     for meshes that do not adapt
  *   modelled_part     fraction of the whole that planes of symmetry leave, and
  *                     that sums of the gas are of
  *
@@ -55,6 +56,7 @@ public:
   double end_time = 0.;         ///< [s]
   double smallest_subcell = 0.; ///< edge [m]
   bool skips_quiet_leaves = true;
+  bool adapts = false; ///< whether leaves follow the blast
   unsigned int n_symmetry_planes = 0;
   /// Largest difference between the pressure of products and that of an ideal
   /// gas with the same density, energy and Grueneisen coefficient, over the
