@@ -39,19 +39,24 @@ SceneLayout layout_of(const SceneParameters &scene)
 
 
 /// Writes what a blast finds at its probe: the tables' values times @p factor,
-/// the duration times one of its own, and whether the end of the run cuts the
-/// positive phase.
+/// the duration times one of its own, whether the end of the run cuts the
+/// positive phase, and how many times its peak a later wave has.
 void write_blast(const std::string &folder,
                  const TableAnswer &tables,
                  const double factor,
                  const bool is_cut = false,
-                 const double of_duration = 1.)
+                 const double of_duration = 1.,
+                 const double of_later_peak = 1.)
 {
   std::filesystem::create_directories(folder);
   const double peak = tables.in_the_open.overpressure;
   std::ofstream(folder + "/summary.json")
-    << R"({"results": {"probe_1_peak_overpressure": {"value": )"
-    << factor * peak
+    << R"({"results": {"probe_1_first_peak_overpressure": {"value": )"
+    << factor * peak << R"(}, "probe_1_peak_overpressure": {"value": )"
+    << of_later_peak * factor * peak
+    << R"(}, "probe_1_later_peak_overpressure": {"value": )"
+    << of_later_peak * factor * peak
+    << R"(}, "probe_1_later_peak_time": {"value": )" << tables.arrival + 1e-4
     << R"(}, "probe_1_reference_peak_overpressure": {"value": )" << peak
     << R"(}, "probe_1_impulse": {"value": )" << factor * tables.impulse
     << R"(}, "probe_1_arrival": {"value": )" << tables.arrival
@@ -243,6 +248,43 @@ TEST(TableComparison, LeavesToTheGroundWhatItMayAdd)
 }
 
 
+// The reflection by the ground may come later and be larger: the tables have
+// the peak of the first wave.
+TEST(TableComparison, IsOfTheFirstPeak)
+{
+  const auto compare = [](const double height,
+                          const double factor,
+                          const double of_later_peak,
+                          const std::string &eardrum) {
+    const SceneParameters scene = scene_of("tnt", height);
+    const SceneLayout layout = layout_of(scene);
+    const auto tables = table_answer(scene, layout, 70.);
+    const io::TemporaryFolder folder;
+    const std::string blast = folder.path() + "/blast";
+    write_blast(blast, *tables, factor, false, 1., of_later_peak);
+    std::ofstream(blast + "/probe_injury.csv", std::ios::app)
+      << "eardrum_rupture,probe 1," << eardrum << ",-,\"\"\n";
+    std::map<std::string, ComparedQuantity> found;
+    for (const ComparedQuantity &one :
+         compare_with_tables(scene, layout, 70., folder.path(), false))
+      found[one.name] = one;
+    return found;
+  };
+  const auto low = compare(3., 0.75, 1.3, "0.1");
+  const ComparedQuantity &peak = low.at("peak_overpressure");
+  EXPECT_NEAR(peak.run / peak.tables, 0.75, 1e-5);
+  EXPECT_TRUE(peak.differs && low.at("eardrum_rupture").differs);
+  EXPECT_FALSE(compare(3., 1., 1.3, "0.9").at("peak_overpressure").differs);
+  // The eardrums are those under the larger peak.
+  EXPECT_FALSE(compare(3., 0.75, 1.3, "0.999").at("eardrum_rupture").differs);
+  // What follows the incident wave has not merged with it.
+  for (const double of_later_peak : {1., 1.3})
+    EXPECT_EQ(
+      compare(0.5, 1.4, of_later_peak, "0.9").at("peak_overpressure").differs,
+      of_later_peak > 1.);
+}
+
+
 // The tables have what the ground adds to a charge that lies on it.
 TEST(TableComparison, LeavesNothingToTheGroundOfASurfaceBurst)
 {
@@ -269,7 +311,9 @@ TEST(TableComparison, IsOfTheSkinWithoutAProbe)
     {
       std::filesystem::create_directories(folder.path() + name);
       std::ofstream(folder.path() + name + "/summary.json")
-        << R"({"results": {"loads_upper_arm_peak": {"value": )" << factor * peak
+        << R"({"results": {"loads_upper_arm_first_peak": {"value": )"
+        << factor * peak << R"(}, "loads_upper_arm_peak": {"value": )"
+        << 2. * factor * peak
         << R"(}, "loads_upper_arm_impulse": {"value": 1},)"
         << R"( "loads_upper_arm_arrival": {"value": )"
         << wave.value(BlastQuantity::arrival, 0.35) << "}}}";

@@ -148,6 +148,7 @@ def write_blast(folder):
             "energy_relative_change": -0.20475},
         "results": {
             "probe_1_peak_overpressure": with_unit(267701.8, "Pa"),
+            "probe_1_first_peak_overpressure": with_unit(267701.8, "Pa"),
             "probe_1_reference_peak_overpressure": with_unit(314415., "Pa"),
             "probe_1_impulse": with_unit(150.4, "Pa s"),
             "probe_1_reference_impulse": with_unit(221.7, "Pa s"),

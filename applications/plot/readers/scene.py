@@ -137,6 +137,14 @@ class Scene:
         points = files.points_of(self.blast.parameters.get("Probes/Points"))
         return points[number - 1] if len(points) >= number else None
 
+    def incident_peak(self, number):
+        """Peak of the first wave at a probe [Pa]; of runs that do not tell it the
+        largest peak; None where that is unknown, too."""
+        first, largest = (
+            self.blast.found("results", f"probe_{number}_{name}peak_overpressure")
+            for name in ("first_", ""))
+        return largest if first is None else first
+
     def loads(self):
         """loads.h5, or None."""
         if self._loads is None:

@@ -124,7 +124,9 @@ def _free_air(scene):
         while scene.blast.found("results",
                                 f"probe_{number}_{quantity}") is not None:
             stem = f"probe_{number}_"
-            here = scene.blast.found("results", stem + quantity)
+            here = scene.incident_peak(number) \
+                if quantity == "peak_overpressure" \
+                else scene.blast.found("results", stem + quantity)
             known = scene.blast.found("results",
                                       stem + "reference_" + quantity)
             if known:

@@ -225,7 +225,7 @@ def _rear(gauges, peak):
 
 def _incident(scene, peak):
     temple = _first(peak, "temple")
-    side_on = scene.blast.found("results", "probe_1_peak_overpressure")
+    side_on = scene.incident_peak(1)
     known = scene.blast.found("results",
                               "probe_1_reference_peak_overpressure")
     if temple is None or side_on is None:

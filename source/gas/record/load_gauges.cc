@@ -266,6 +266,7 @@ void LoadGauges::add(const std::vector<double> &overpressures,
     if (overpressures[i] > record.blast.peak)
       record.peak_time = time;
     record.blast.add(overpressures[i], time, step, smallest);
+    record.peaks.add(overpressures[i], time, record.blast);
     record.sum += 0.5 * step * overpressures[i];
     record.last = overpressures[i];
   }
@@ -378,6 +379,8 @@ std::vector<NamedValue> LoadGauges::measures(const double time) const
     const std::string begin = "loads_" + places_[i].name + "_";
     const BlastMeasures blast = records_[i].blast.measures(time);
     std::vector<NamedValue> found = gauge_values(blast, records_[i].peak_time);
+    if (blast.peak > 0.)
+      found.push_back({"first_peak", "Pa", records_[i].peaks.first});
     if (is_cut_off(blast, time))
       found.push_back({"cut_off", "-", 1.});
     for (NamedValue &value : found)

@@ -88,6 +88,7 @@ void ProbeSet<dim>::parse_parameters(ParameterHandler &prm,
                 "Probes/Points: the point",
                 prm.get_bool("Injury") ? Exposure::load_and_chest
                                        : Exposure::load);
+  peaks_.assign(places().size(), {});
   for (const auto &place : places())
     if (!scene.body.empty() && scene.body.value(place) < -1e-9)
     {
@@ -114,7 +115,10 @@ void ProbeSet<dim>::inherit(const KnownRecord<dim> &record,
 {
   for (std::size_t i = 0; i < probes_.size() && !is_continued_; ++i)
     if (const auto known = record(places()[i]))
+    {
       probes_.inherit(i, *known);
+      peaks_[i] = {known->peak};
+    }
 }
 
 
@@ -132,7 +136,11 @@ void ProbeSet<dim>::take(const std::vector<GasState<dim>> &states,
 {
   states_ = states;
   for (std::size_t i = 0; i < states_.size(); ++i)
+  {
     probes_.add(i, states_[i], time, time - last_time_);
+    peaks_[i].add(
+      states_[i].pressure - probes_.ambient()[i], time, probes_.records()[i]);
+  }
   last_time_ = time;
 }
 
@@ -168,11 +176,21 @@ std::vector<BlastMeasures> ProbeSet<dim>::blasts() const
 
 
 template <int dim>
+std::vector<BlastMeasures> ProbeSet<dim>::first_waves() const
+{
+  std::vector<BlastMeasures> result = blasts();
+  for (std::size_t i = 0; i < result.size(); ++i)
+    result[i].peak = peaks_[i].first;
+  return result;
+}
+
+
+template <int dim>
 std::vector<NamedValue>
 ProbeSet<dim>::measures(const ReferenceSolution<dim> &reference) const
 {
   std::vector<NamedValue> values;
-  const auto found = blasts();
+  const auto found = blasts(), first = first_waves();
   for (std::size_t i = 0; i < found.size(); ++i)
   {
     const auto add =
@@ -184,6 +202,13 @@ ProbeSet<dim>::measures(const ReferenceSolution<dim> &reference) const
     const auto numbers = recorded_map_values(found[i]);
     for (std::size_t k = 0; k < numbers.size(); ++k)
       add("", k, numbers[k]);
+    add("first_", 0, recorded_map_values(first[i])[0]);
+    if (peaks_[i].later > 0.)
+    {
+      add("later_", 0, peaks_[i].later);
+      values.push_back(
+        {probe_name(i, "later_peak_time"), "s", peaks_[i].later_time});
+    }
     if (is_cut_off(found[i], last_time_))
       values.push_back({probe_name(i, "cut_off"), "-", 1.});
     if (!reference.has_arrivals())
@@ -204,7 +229,7 @@ std::vector<NamedValue> ProbeSet<dim>::errors(const GasSnapshot<dim> &gas) const
   std::vector<NamedValue> values;
   if (!reference.has_arrivals())
     return values;
-  const auto found = blasts();
+  const auto found = first_waves();
   for (std::size_t i = 0; i < found.size(); ++i)
   {
     auto computed = recorded_map_values(found[i]);
@@ -230,7 +255,7 @@ ProbeSet<dim>::report(const GasSnapshot<dim> &gas) const
   const auto &reference = gas.scene.reference;
   if (!reference.has_arrivals() || places().empty())
     return {};
-  const auto found = blasts();
+  const auto found = first_waves();
   const double factors[] = {1e-3, 1., 1e3, 1e3};
   std::vector<std::vector<std::string>> rows = {
     {"probe", "peak [kPa]", "impulse [Pa s]", "arrival [ms]", "duration [ms]"}};
@@ -259,6 +284,12 @@ ProbeSet<dim>::report(const GasSnapshot<dim> &gas) const
                                     " (difference):"};
   for (const std::string &line : aligned_rows(rows))
     lines.push_back(line);
+  for (std::size_t i = 0; i < found.size(); ++i)
+    if (peaks_[i].later > peaks_[i].first)
+      lines.push_back("a later wave has the larger peak at probe " +
+                      std::to_string(i + 1) + ": " +
+                      brief(peaks_[i].later * factors[0]) + " kPa at " +
+                      brief(peaks_[i].later_time * 1e3) + " ms");
   return lines;
 }
 
@@ -312,6 +343,8 @@ void ProbeSet<dim>::save(std::ostream &stream,
 {
   stream.write(reinterpret_cast<const char *>(&last_time_), sizeof(last_time_));
   probes_.save(stream);
+  stream.write(reinterpret_cast<const char *>(peaks_.data()),
+               peaks_.size() * sizeof(WavePeaks));
 }
 
 
@@ -320,6 +353,8 @@ void ProbeSet<dim>::load(std::istream &stream, const std::string & /*folder*/)
 {
   stream.read(reinterpret_cast<char *>(&last_time_), sizeof(last_time_));
   probes_.load(stream);
+  stream.read(reinterpret_cast<char *>(peaks_.data()),
+              peaks_.size() * sizeof(WavePeaks));
 }
 
 

@@ -214,6 +214,12 @@ TEST(LoadGauges, TellWhatTheBlastDidAndGoOnFromACheckpoint)
   EXPECT_NEAR(values.at("loads_back_of_hand_impulse"), 250., 2.);
   for (const NamedValue &value : resumed.measures(10.))
     EXPECT_EQ(value.value, values.at(value.name)) << value.name;
+  // A second wave is no peak of the first.
+  resumed.add({200.}, 10.01, 0.01, 1.);
+  for (const NamedValue &value : resumed.measures(10.01))
+    values[value.name] = value.value;
+  EXPECT_EQ(values.at("loads_back_of_hand_peak"), 200.);
+  EXPECT_NEAR(values.at("loads_back_of_hand_first_peak"), 100., 1.);
   LoadGauges other =
     make_gauges({"Loads/Gauges=a: 0, 0, 0.0005; b: 0.1, 0, 0.0005"});
   stream.clear();

@@ -39,8 +39,9 @@ struct ComparedQuantity
 
 /**
  * Compares the blast of a finished run with the tables: wave and injuries in
- * the open at the probe beside the body. Empty without that probe, without
- * results, and where the tables do not cover the distance.
+ * the open at the probe beside the body; of its peaks that of the first wave,
+ * while what the wave does to people is that of all. Empty without that probe,
+ * without results, and where the tables do not cover the distance.
  *
  * @param folder of the scene
  * @param body_mass [kg]
@@ -54,9 +55,9 @@ std::vector<ComparedQuantity> compare_with_tables(const SceneParameters &scene,
 
 /**
  * Compares the load on the skin with that on a wall by the tables, for a scene
- * without a probe beside the body: peak, impulse and arrival. Empty for a gauge
- * that is farther from the charge than the nearest skin, without results, and
- * where the tables do not cover the distance.
+ * without a probe beside the body: first peak, impulse and arrival. Empty for a
+ * gauge that is farther from the charge than the nearest skin, without results,
+ * and where the tables do not cover the distance.
  *
  * @param gauge on the skin
  * @param folder of the scene

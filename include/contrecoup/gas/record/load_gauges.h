@@ -5,7 +5,7 @@
 
 #include <contrecoup/base/run/simulation.h>
 #include <contrecoup/gas/conditions/rigid_body.h>
-#include <contrecoup/gas/state/blast_record.h>
+#include <contrecoup/gas/state/wave_peaks.h>
 #include <contrecoup/io/output/history.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -102,7 +102,8 @@ public:
   void save(std::ostream &stream) const;
   void load(std::istream &stream);
 
-  /// Peak, its time, arrival, positive impulse and phase at each gauge.
+  /// Peak, its time, arrival, positive impulse and phase at each gauge, and the
+  /// peak of the first wave there.
   std::vector<NamedValue> measures(const double time) const;
 
   /// The same as a text table, one line per row.
@@ -136,6 +137,7 @@ private:
   struct Record
   {
     BlastRecord<double> blast;
+    WavePeaks peaks;
     double peak_time = 0.;   ///< [s]
     double last = 0.;        ///< overpressure at the end of the last step [Pa]
     double sum = 0.;         ///< time integral over the current sample [Pa s]

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <contrecoup/gas/record/blast_probes.h>
+#include <contrecoup/gas/state/wave_peaks.h>
 
 namespace contrecoup::gas
 {
@@ -61,7 +62,9 @@ public:
   /// Blast measures at each probe so far.
   std::vector<BlastMeasures> blasts() const;
 
-  /// The same as named values, with those of @p reference where it has them.
+  /// The same as named values, with the peaks of the first wave and of larger
+  /// or smaller later ones, and with the values of @p reference where it has
+  /// them.
   std::vector<NamedValue>
   measures(const ReferenceSolution<dim> &reference) const;
   std::vector<NamedValue> results(const GasSnapshot<dim> &gas) const override
@@ -69,11 +72,13 @@ public:
     return measures(gas.scene.reference);
   }
 
-  /// Relative differences between measured and reference values.
+  /// Relative differences between measured and reference values, the peak of
+  /// the first wave among the former.
   std::vector<NamedValue> errors(const GasSnapshot<dim> &gas) const override;
 
-  /// Table of measured and reference values, one line per probe; empty without
-  /// a reference.
+  /// Table of the values that errors() compares, one line per probe, and a line
+  /// on each probe at which a later wave has a larger peak; empty without a
+  /// reference.
   std::vector<std::string> report(const GasSnapshot<dim> &gas) const override;
 
   std::vector<std::string> gaps(const double time) const override;
@@ -83,7 +88,11 @@ public:
   void load(std::istream &stream, const std::string &folder) override;
 
 private:
+  /// Blast measures with the peaks of the first wave.
+  std::vector<BlastMeasures> first_waves() const;
+
   BlastProbes<dim> probes_;
+  std::vector<WavePeaks> peaks_;
   std::string folder_;        ///< of the results; empty in first stages
   double body_mass_ = 0.;     ///< [kg]
   double last_time_ = 0.;     ///< [s]
