@@ -166,6 +166,18 @@ namespace
   }
 
 
+  /// Least duration of a wave that has merged with its reflection, by the
+  /// tables those of a charge on the ground: near the charge it is shorter [s].
+  double least_merged_duration(const SceneParameters &scene,
+                               const double distance)
+  {
+    const IncidentWave merged(
+      scene.explosive.tnt, scene.mass, scene.energy(), true);
+    return (1. - error_of_tables(scene)) *
+           merged.value(BlastQuantity::duration, distance);
+  }
+
+
   /// Gives probabilities the verdicts of the loads from which they follow; one
   /// that reads the same for both does not differ, nor does that of eardrums if
   /// a larger later wave raises it above that of the tables.
@@ -265,14 +277,19 @@ std::vector<ComparedQuantity> compare_with_tables(const SceneParameters &scene,
               may_exceed,
               may_be_less));
   };
-  // A merged wave is that of a stronger charge: earlier, and perhaps shorter. A
-  // positive phase that the end of the run cuts is a lower limit.
+  // A merged wave is that of a stronger charge, and earlier. A positive phase
+  // that the end of the run cuts is a lower limit.
   const bool merges =
     may_merge_at_probe(layout, fine, answer->in_the_open.overpressure);
   const bool is_cut = result_of(fine, "probe_1_cut_off") > 0.;
   add("peak_overpressure", "Pa", answer->in_the_open.overpressure, merges);
   add("impulse", "Pa s", answer->impulse, true, is_cut);
-  add("duration", "s", answer->duration, true, merges || is_cut);
+  add("duration",
+      "s",
+      answer->duration,
+      true,
+      is_cut || (merges && value_of(fine, "duration") >=
+                             least_merged_duration(scene, layout.distance)));
   add("arrival", "s", answer->arrival, false, merges);
   add("lung_exposure", "-", answer->in_the_open.lung_exposure, true);
   add("lung_lethality", "-", answer->in_the_open.lung_lethality, true);
