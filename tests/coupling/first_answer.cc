@@ -148,15 +148,17 @@ TEST(FirstAnswer, HasTheReservationOfThePlanNearTheCharge)
 TEST(FirstAnswer, SaysWhereTheTablesEnd)
 {
   const auto lines = answer_for(1e-6);
-  ASSERT_EQ(lines.size(), 2U);
+  ASSERT_EQ(lines.size(), 3U);
   EXPECT_NE(lines[0].find("do not cover 1e-06 kg of TNT at 2 m, but no more "
                           "than 0.4 m"),
             std::string::npos)
     << lines[0];
-  EXPECT_NE(lines[1].find("of a point source: peak"), std::string::npos)
+  EXPECT_NE(lines[1].find("continued by a point source: peak"),
+            std::string::npos)
     << lines[1];
+  EXPECT_NE(lines[2].find("reflection by the ground"), std::string::npos);
   // Nearer than 0.147 m/kg^(1/3) they have no impulse.
   const auto near = answer_for(6e3);
-  ASSERT_EQ(near.size(), 2U);
+  ASSERT_EQ(near.size(), 3U);
   EXPECT_NE(near[1].find("of the tables: peak"), std::string::npos) << near[1];
 }

@@ -6,6 +6,8 @@
 #include <contrecoup/coupling/scene/model_bias.h>
 #include <contrecoup/numerics/injury/blast_injury.h>
 
+#include <cmath>
+
 namespace contrecoup::coupling
 {
 namespace
@@ -60,13 +62,10 @@ namespace
     on_ground.is_surface_burst = true;
     const IncidentWave merged = on_ground.incident_wave(scene);
     const auto rise = [&](const BlastQuantity quantity) {
-      return merged.is_tabulated(quantity, layout.distance)
-               ? brief(100. * (merged.value(quantity, layout.distance) /
-                                 alone.value(quantity, layout.distance) -
-                               1.),
-                       2) +
-                   " %"
-               : "an unknown part";
+      const double factor = merged.value(quantity, layout.distance) /
+                            alone.value(quantity, layout.distance);
+      return std::isfinite(factor) ? brief(100. * (factor - 1.), 2) + " %"
+                                   : "an unknown part";
     };
     return "reflection by the ground (where it has merged with the wave, it "
            "adds some " +
@@ -146,6 +145,12 @@ std::vector<std::string> first_answer(const SceneParameters &scene,
     brief(scene.mass) + " kg of " + scene.explosive.title;
   const std::string where = " at " + brief(layout.distance) + " m";
   const auto answer = table_answer(scene, layout, body_mass);
+  std::vector<std::string> left_out;
+  if (!layout.is_surface_burst && layout.has_ground())
+    left_out.push_back(ground_in_words(scene, layout));
+  if (!walls.empty())
+    left_out.push_back("reflection by " + walls);
+  left_out.emplace_back("shape and tissues of the body; a run has them");
   if (!answer)
   {
     const IncidentWave wave = layout.incident_wave(scene);
@@ -157,19 +162,14 @@ std::vector<std::string> first_answer(const SceneParameters &scene,
             std::string("  incident wave of ") +
               (wave.is_tabulated(BlastQuantity::overpressure, layout.distance)
                  ? "the tables"
-                 : "a point source") +
+                 : "the tables, continued by a point source") +
               ": peak " + kilopascal(layout.overpressure) + ", arrival " +
-              brief(1e3 * layout.arrival, 3) + " ms"};
+              brief(1e3 * layout.arrival, 3) + " ms",
+            "  left out: " + join(left_out, ", ")};
   }
   const std::string equivalence = equivalence_in_words(scene.explosive);
   const ModelBias bias =
     model_bias(scene, layout.distance, layout.is_surface_burst);
-  std::vector<std::string> left_out;
-  if (!layout.is_surface_burst && layout.has_ground())
-    left_out.push_back(ground_in_words(scene, layout));
-  if (!walls.empty())
-    left_out.push_back("reflection by " + walls);
-  left_out.emplace_back("shape and tissues of the body; a run has them");
   std::vector<std::string> lines = {
     "first answer, by tables and without a run: " + what +
       (equivalence.empty() ? "" : " (" + equivalence + ")") + where +

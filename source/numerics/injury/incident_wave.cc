@@ -14,6 +14,25 @@ namespace
 {
   constexpr double air_density = 1.225; // [kg/m^3]
   constexpr double step = 1.02;         ///< ratio of distances that are tried
+
+  /// Nearest distance to @p distance that @p covers, to 1e-6 of it; some
+  /// distance beyond @p inside is covered, or @p inside is.
+  template <typename Covers>
+  double
+  nearest_covered(const Covers &covers, const double inside, double distance)
+  {
+    double outside = distance;
+    while (!covers(distance))
+    {
+      outside = distance;
+      distance *= distance < inside ? step : 1. / step;
+    }
+    for (double middle = 0.5 * (outside + distance);
+         std::abs(distance - outside) > 1e-6 * distance;
+         middle = 0.5 * (outside + distance))
+      (covers(middle) ? distance : outside) = middle;
+    return distance;
+  }
 } // namespace
 
 
@@ -79,19 +98,22 @@ bool IncidentWave::is_tabulated(const double distance) const
 }
 
 
-double IncidentWave::nearest_tabulated(double distance) const
+double IncidentWave::nearest_tabulated(const double distance) const
 {
-  double outside = distance;
-  while (!is_tabulated(distance))
-  {
-    outside = distance;
-    distance *= distance < of_impulse_.scaling_length() ? step : 1. / step;
-  }
-  for (double middle = 0.5 * (outside + distance);
-       std::abs(distance - outside) > 1e-6 * distance;
-       middle = 0.5 * (outside + distance))
-    (is_tabulated(middle) ? distance : outside) = middle;
-  return distance;
+  return nearest_covered(
+    [&](const double tried) { return is_tabulated(tried); },
+    of_impulse_.scaling_length(),
+    distance);
+}
+
+
+double IncidentWave::nearest_tabulated(const BlastQuantity quantity,
+                                       const double distance) const
+{
+  return nearest_covered(
+    [&](const double tried) { return is_tabulated(quantity, tried); },
+    of_impulse_.scaling_length(),
+    distance);
 }
 
 
@@ -100,18 +122,24 @@ double IncidentWave::value(const BlastQuantity quantity,
 {
   if (is_tabulated(quantity, distance))
     return tables(quantity).value(quantity, distance);
+  if (quantity != BlastQuantity::overpressure &&
+      quantity != BlastQuantity::arrival)
+    return std::numeric_limits<double>::quiet_NaN();
+
+  const double end = nearest_tabulated(quantity, distance);
+  const double at_end = tables(quantity).value(quantity, end);
   if (quantity == BlastQuantity::overpressure)
-    return source_.overpressure(distance);
-  if (quantity == BlastQuantity::arrival)
-    return source_.arrival(distance);
-  return std::numeric_limits<double>::quiet_NaN();
+    return at_end * source_.overpressure(distance) / source_.overpressure(end);
+  const double source_at_end = source_.arrival(end);
+  return distance > end ? at_end + source_.arrival(distance) - source_at_end
+                        : at_end * source_.arrival(distance) / source_at_end;
 }
 
 
-double IncidentWave::nearest_duration(double distance) const
+double IncidentWave::nearest_duration(const double distance) const
 {
-  while (!is_tabulated(BlastQuantity::duration, distance))
-    distance *= distance < of_impulse_.scaling_length() ? step : 1. / step;
-  return of_impulse_.value(BlastQuantity::duration, distance);
+  return of_impulse_.value(
+    BlastQuantity::duration,
+    nearest_tabulated(BlastQuantity::duration, distance));
 }
 } // namespace contrecoup

@@ -15,13 +15,11 @@ namespace contrecoup
  * The incident blast wave of a bare charge at sea level, in free air or on the
  * ground, as it is known before a run: measured waves of TNT (KingeryBulmash,
  * "spherical" or "hemispherical") with the charge's TNT equivalence for
- * pressures and for impulses. Beyond the scaled
- * distances of the tables, overpressure and arrival are those of the point
- * source (ExpectedBlast), and other quantities are not known.
- *
- * Without afterburn the point source has 0.6 to 1.3 times the overpressure of
- * the measurements and an arrival up to a third too early, since it has no
- * charge whose mass is to be moved.
+ * pressures and for impulses. Beyond the scaled distances of the tables, the
+ * point source (ExpectedBlast) continues overpressure and arrival from the
+ * values at their ends, and other quantities are not known. Unscaled it has 0.6
+ * to 1.3 times the overpressure of the measurements and an arrival up to a
+ * third too early, since it has no charge whose mass is to be moved.
  */
 class IncidentWave
 {
@@ -78,6 +76,7 @@ public:
   double nearest_duration(double distance) const;
 
 private:
+  double nearest_tabulated(BlastQuantity quantity, double distance) const;
   const KingeryBulmash &tables(BlastQuantity quantity) const;
 
   KingeryBulmash of_pressure_, of_impulse_;
