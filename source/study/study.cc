@@ -342,15 +342,21 @@ void Study::write_results(const std::string &status, const double seconds)
     for (const std::string &title : result.empty_columns())
       log_line("WARNING: Study/Columns: no run has a value of \"" + title +
                "\"");
-  if (status == "finished" && result.n_cut_off() > 0)
-    log_line("WARNING: " + std::to_string(result.n_cut_off()) + " of " +
-             std::to_string(result.rows.size()) +
-             " runs end before the positive phase does: what study.md marks "
-             "with ≥ is a lower limit; a later end time gives all of it");
-  if (status == "finished" && result.n_warned() > 0)
-    log_line("WARNING: " + std::to_string(result.n_warned()) + " of " +
-             std::to_string(result.rows.size()) +
-             " runs have warnings, which study.md lists");
+  const auto warn_of = [&](const std::size_t n,
+                           const std::string &of_one,
+                           const std::string &of_more,
+                           const std::string &what) {
+    if (status == "finished" && n > 0)
+      log_line("WARNING: " + std::to_string(n) + " of " +
+               std::to_string(result.rows.size()) + " runs " +
+               (n == 1 ? of_one : of_more) + what);
+  };
+  warn_of(result.n_cut_off(),
+          "ends",
+          "end",
+          " before the positive phase does: what study.md marks with ≥ is a "
+          "lower limit; a later end time gives all of it");
+  warn_of(result.n_warned(), "has", "have", " warnings, which study.md lists");
   write_text(path("study.csv"), to_csv(parameters_, result));
   write_text(path("study.md"), to_markdown(parameters_, result));
   write_text(path(marker), to_json(parameters_, result));

@@ -114,7 +114,7 @@ def check_headline(page, files):
         (rf"strained by less than ({number} %)",
          files.injury["injury_strain_95"])]
     if "injury_hic15" in files.injury:
-        wanted.append((rf"HIC15 is ({number})", files.injury["injury_hic15"]))
+        wanted.append((rf"HIC15 is (?:at least )?({number})", files.injury["injury_hic15"]))
     for layer, words in (("CSF", "The CSF's pressure in single cells"),
                          ("brain", "The brain's in single cells")):
         wanted += [

@@ -96,6 +96,27 @@ class InjuryMapsTest(unittest.TestCase):
             injury_maps.area_above(maps, "chest_wall_velocity", 6.), 0.5)
         self.assertAlmostEqual(injury_maps.area(maps), 2.)
 
+    def test_area_beside_a_plane_of_symmetry(self):
+        """It counts on both sides, where the plane ends at it."""
+        plane = next(iter(self.maps(fields())["gauges_plane_1"].values()))
+        for planes_of_symmetry, copies in (
+                ([], 1), ([(2, 0.)], 2), ([(2, 0.1), (1, 0.)], 1),
+                ([(0, 2.), (2, 0.)], 4)):
+            plane.copies = 1
+            plane.mirror(planes_of_symmetry)
+            self.assertEqual(plane.copies, copies, planes_of_symmetry)
+        self.assertAlmostEqual(injury_maps.area({"any": plane}), 8.)
+        tiny_scene.write_all(self.folder)
+        self.write(fields(), os.path.join(self.folder, "blast"))
+        with open(os.path.join(self.folder, "blast", "parameters.prm"), "a",
+                  encoding="utf-8") as file:
+            file.write("subsection Boundaries\n  set z low = symmetry\nend\n"
+                       "subsection Domain\n  set Lower corner = -1, -1, 0\n"
+                       "end\n")
+        self.assertIn("4 psi are exceeded on 2.50 m² (unknown on 0.500 m²) of "
+                      "it and of its mirror image.", "".join(map(
+                          str, blast_sections.people(Scene(self.folder)))))
+
     def test_area_unknown(self):
         """Neither where the blast has not arrived is anything known, nor of
         lungs where the wave is not simple."""

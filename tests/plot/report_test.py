@@ -636,6 +636,24 @@ class ReportTest(unittest.TestCase):
                          "an exposure, maximum brain pressure")
         self.assertEqual(found.kind, "mid")
 
+    def test_brain_of_a_run_that_ends_too_early(self):
+        """Lower limits below their thresholds do not count as below."""
+        def of(name, value, is_cut):
+            return injury_table.Judged(name, value, "",
+                                       injury_thresholds.KNOWN[name], None, "",
+                                       is_cut=is_cut)
+        lowest = of("injury_intracranial_pressure_lowest", -1., False)
+        for judged, words, kind in (
+                ([lowest, of("injury_hic15", 1., True)],
+                 "brain: below all thresholds so far (HIC15 not judged, as the "
+                 "run ends too early)", "none"),
+                ([of("injury_hic15", 1., True)],
+                 "brain not judged (the run ends too early)", "none"),
+                ([lowest, of("injury_hic15", 260., True)],
+                 "brain: HIC15 above the limit of NATO AEP-55", "mid")):
+            found = verdict._brain(judged)
+            self.assertEqual((str(found), found.kind), (words, kind))
+
     def test_error_that_is_unknown(self):
         """The answer says of which measures, and why."""
         known = injury_thresholds.Known("probability of death", [(0.5, "x")],
@@ -672,7 +690,7 @@ class ReportTest(unittest.TestCase):
         def told(*rows):
             scene = types.SimpleNamespace(
                 list_of=lambda _: rows, facts={}, coarser=object(),
-                table_answer=lambda _: (None, None), loads=lambda: None,
+                table_answer=lambda *_: (None, None), loads=lambda: None,
                 fact=lambda _: None)
             return headline._tables(scene, [])[0].replace("\xa0", " ")
         peak, load = row("peak_overpressure", 0.1), row("lung_exposure", None)
@@ -1029,7 +1047,7 @@ class ReportTest(unittest.TestCase):
                 loads=lambda: None, fact=lambda name: None,
                 biomechanics=types.SimpleNamespace(found=lambda *_: None),
                 facts={}, measures=dict, gauge_injury=dict,
-                table_answer=lambda name: (0.5, 0.9)
+                table_answer=lambda *_: (0.5, 0.9)
                 if name == "eardrum_rupture" else (None, None))
             found = verdict.verdicts(scene, [injury_table.Judged(
                 place, value, "-", known, None, "", curve="given",
@@ -1041,7 +1059,8 @@ class ReportTest(unittest.TestCase):
         known = injury_thresholds.KNOWN["ear_rupture"]
         scene = types.SimpleNamespace(
             loads=lambda: None, fact=lambda name: None,
-            table_answer=lambda name: (0.64, 0.98))
+            table_answer=lambda name, where="answer":
+            (0.64, 0.98) if where == "ears" else (0.99, 1.))
 
         def told(*values):
             return str(verdict._ears(scene, [injury_table.Judged(
@@ -1052,6 +1071,14 @@ class ReportTest(unittest.TestCase):
                          "right 24 %; by the tables 64 to 98 %)")
         self.assertEqual(told(0.2, 0.2), "eardrums may rupture (20 %, by the "
                          "tables 64 to 98 %)")
+        # The mark of what the tables contradict is not that of good news.
+        ear = injury_table.Judged("ear_rupture_left ear", 0.04, "-", known,
+                                  None, "", curve="given", of=0.)
+        for answer, kind in ((0.2, "mid"), (0.045, "good")):
+            scene.table_answer = lambda name, where, low=answer: (low, 0.98)
+            self.assertEqual(verdict._ears(scene, [ear]).kind, kind)
+            other = verdict.other_ears(scene, [ear])
+            self.assertEqual(other, (ear, 0.2) if kind == "mid" else None)
 
     def test_verdict_of_several_measures(self):
         """It is certain if each that its words are of is."""
@@ -1073,7 +1100,7 @@ class ReportTest(unittest.TestCase):
                 ("left", 1e6), ("right", 35e3))]
         self.assertEqual([ear.is_certain() for ear in ears], [True, False])
         found = verdict._ears(types.SimpleNamespace(
-            table_answer=lambda name: (None, None)), ears)
+            table_answer=lambda *_: (None, None)), ears)
         self.assertIn("right eardrum stays intact (4.9", str(found))
         self.assertIs(found.entry, ears[0])
         self.assertIs(found.is_certain(), False)
@@ -1162,7 +1189,7 @@ class ReportTest(unittest.TestCase):
                          ["below −50 kPa (gas)", "above −50 kPa (gas)"])
         scene = types.SimpleNamespace(
             loads=lambda: None, fact=lambda name: None, measures=dict,
-            facts={}, table_answer=lambda name: (None, None))
+            facts={}, table_answer=lambda *_: (None, None))
         given = {"curve": "given", "of": 0.}
         self.assertEqual(told(verdict._life(
             scene, [entry("lung_lethality", 0.3, low, **given)])),

@@ -45,8 +45,9 @@ def simple(maps):
 
 def area_above(maps, name, level):
     """Area of the plane [m^2] where a quantity exceeds a level, by the gauges
-    that do, each with the part of the plane that is nearest to it; in
-    axisymmetric cells of the half plane."""
+    that do, each with the part of the plane that is nearest to it, and on the
+    other side of planes of symmetry; in axisymmetric cells of the half
+    plane."""
     return _area_where(maps[name], np.nan_to_num(maps[name].values) > level)
 
 
@@ -70,7 +71,7 @@ def area(maps):
 def _area_where(plane, chosen):
     x, y = (_widths(low, high, points) for low, high, points in
             zip(plane.lower, plane.upper, plane.values.shape[::-1]))
-    return float(y @ np.asarray(chosen, float) @ x)
+    return plane.copies * float(y @ np.asarray(chosen, float) @ x)
 
 
 def _widths(low, high, points):

@@ -33,8 +33,9 @@ SCENE = {
                "answer": {"arrival": NUMBER, "impulse": NUMBER,
                           "duration": NUMBER, "in_the_open": {"*": NUMBER},
                           "before_a_wall": {"*": NUMBER}},
-               "trunk": {"distance": NUMBER, "in_the_open": {"*": NUMBER},
-                         "before_a_wall": {"*": NUMBER}}},
+               **{place: {"distance": NUMBER, "in_the_open": {"*": NUMBER},
+                          "before_a_wall": {"*": NUMBER}}
+                  for place in ("trunk", "ears")}},
     "table_comparison": [{"name": WORDS, "place": WORDS, "unit": WORDS,
                           "run": NUMBER, "run_error": NUMBER, "tables": NUMBER,
                           "tables_error": NUMBER, "differs": TRUTH}],

@@ -97,23 +97,23 @@ class Loads:
         return places
 
 
-def mirror_planes(folder, centroids):
-    """Planes of symmetry that cut the body of a run: axis and place."""
+def symmetry_planes(folder):
+    """Planes of symmetry of a run: axis and place."""
     path = os.path.join(folder, "parameters.prm")
     if not os.path.exists(path):
         return []
     entries = files.read_parameters(path)
+    return [(axis, float(entries[f"Domain/{corner}"].split(",")[axis]))
+            for axis, name in enumerate("xyz")
+            for side, corner in (("low", "Lower corner"),
+                                 ("high", "Upper corner"))
+            if entries.get(f"Boundaries/{name} {side}") == "symmetry"]
+
+
+def mirror_planes(folder, centroids):
+    """Planes of symmetry that cut the body of a run: axis and place."""
     size = np.ptp(centroids, axis=0).max()
     # The facets next to the plane are about half of their width away.
     near = max(0.02, 1. / np.sqrt(len(centroids))) * size
-    planes = []
-    for axis, name in enumerate("xyz"):
-        for side, corner in (("low", "Lower corner"), ("high",
-                                                       "Upper corner")):
-            if entries.get(f"Boundaries/{name} {side}") != "symmetry":
-                continue
-            numbers = entries[f"Domain/{corner}"].split(",")
-            place = float(numbers[axis])
-            if np.abs(centroids[:, axis] - place).min() < near:
-                planes.append((axis, place))
-    return planes
+    return [(axis, place) for axis, place in symmetry_planes(folder)
+            if np.abs(centroids[:, axis] - place).min() < near]

@@ -22,6 +22,7 @@ class Plane:
         self.axes = image.axes
         self.lower = image.lower
         self.upper = image.upper
+        self.copies = 1  # with the mirror images at planes of symmetry
         if self.values.dtype.kind != "f":
             raise ValueError("no grid of numbers")
         if np.isinf(self.values).any():
@@ -37,6 +38,17 @@ class Plane:
                 points - 1, 1)
             extent += [self.lower[axis] - half, self.upper[axis] + half]
         return extent
+
+    def mirror(self, symmetry_planes):
+        """Counts the mirror images of a plane that ends at planes of symmetry,
+        axis and place of each."""
+        for axis, place in symmetry_planes:
+            if "xyz"[axis] in self.axes:
+                own = self.axes.index("xyz"[axis])
+                near = 1e-6 * (self.upper[own] - self.lower[own])
+                if min(abs(self.lower[own] - place),
+                       abs(self.upper[own] - place)) < near:
+                    self.copies *= 2
 
     def positions(self):
         """Coordinates along the first axis [m]."""

@@ -253,10 +253,12 @@ def read_gauge_planes(blast):
     """One Plane by quantity, by name of the plane of gauges."""
     with files.reading(blast.path("fields")):
         found = planes.open_planes(blast.folder)
+    symmetry = loads.symmetry_planes(blast.folder)
     groups = {}
     for name, cuts in sorted(found.items()):
         if name.startswith("gauges_plane_"):
             quantity = cuts[0].quantity
+            cuts[0].mirror(symmetry)
             groups.setdefault(name[:-len(quantity)], {})[quantity] = cuts[0]
     return groups
 

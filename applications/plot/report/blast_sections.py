@@ -91,8 +91,10 @@ def people(scene):
             "overpressure.",
             "What the blast would do to people who stand in a plane of gauges, "
             "as if nobody were there: " + "; ".join(words)
-            + " of it. "
-            + ("Limits by the numerics are from the coarser run, as those of "
+            + " of it"
+            + (" and of its mirror image"
+               if next(iter(maps.values())).copies > 1 else "")
+            + ". " + ("Limits by the numerics are from the coarser run, as those of "
                "other figures" if coarse else "The numerical error of these "
                "areas is unknown")
             + ". Grey: the blast has not arrived, the figure is not known, as "

@@ -150,16 +150,20 @@ def answer(run, judged):
     strain = injury_table.find(judged, "injury_strain_95")
     if strain is not None:
         text.append("95\u00a0% of the brain is strained by less than " + (
-            f"{strain.shown()}, which is {strain.compared()}."
-            if strain.is_own else
+            f"{strain.shown(strain.value)}, which is {strain.compared()}"
+            if strain.is_own and not strain.is_open else
             f"{page.number(100. * strain.value)}\u00a0%"
-            + (f", which means: {strain.meaning()}." if strain.meaning()
-               else ".")))
+            + (f", which means: {strain.meaning()}" if strain.meaning()
+               else "")) + (" up to the end of the run, and more and more"
+                            if strain.is_cut else "") + ".")
     hic = injury_table.find(judged, "injury_hic15")
     if hic is not None:
-        text.append(f"HIC15 is {page.number(hic.value)}"
-                    + (f", {hic.reached()}." if hic.meaning() or hic.is_own
+        text.append(f"HIC15 is {'at least ' if hic.is_cut else ''}"
+                    f"{page.number(hic.value)}"
+                    + ("." if hic.is_open else
+                       f", {hic.reached()}." if hic.meaning() or hic.is_own
                        else ", below all limits."))
+    text += injury_table.cut_off(judged, "Time/End time")
     end = float(run.history["time"][-1])
     return page.tag(
         "div", page.paragraph(" ".join(text)), page.paragraph(

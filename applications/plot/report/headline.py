@@ -14,7 +14,6 @@ from plot.report.energy_audit import EnergyAudit
 from plot.report.injury_thresholds import KNOWN, of_run
 
 LARGE_LOAD_DIFFERENCE = 0.02  # of impulses on skin and elements
-LONG_ENOUGH = 0.01  # s, until the largest strains that a front causes
 # Of items of the audit, for readers who do not know the plan.
 WORDS = {"reflection": "arrival of a wave reflected by an open side of the "
          "domain"}
@@ -32,6 +31,7 @@ LUNGS = ("lung_exposure", "lung_lethality")
 OF_THE_PHASE = ("impulse", "duration")
 CHANCES = ("lung_lethality", "eardrum_rupture")
 LARGE_BIAS = 0.1  # of the model, which may decide a verdict
+LEVEL = 0.1  # m, difference in height that the wave does not notice
 MOST_LINES = 3  # of what could change the verdict, in the text version
 
 
@@ -56,7 +56,7 @@ class Lead:
             row.get("name") in LUNGS for row in _rows(scene)) else (
                 f"; lungs of a person of {page.given(float(f'{mass:.3g}'), 'kg')}")
         self.explaining = reflections.explaining(scene)
-        self.reflections = reflections.note(scene)
+        self.reflections, self.heights = reflections.note(scene), _heights(scene)
         left_out = ([] if reflections.is_surface_burst(scene) else ["ground"]) \
             + ["body"] + (["walls"] if reflections.walls(scene) else [])
         self.left_out = ("" if len(left_out) > 1 else "the ") \
@@ -101,7 +101,7 @@ class Lead:
             ("beside the body, in the open", "this run", "tables"),
             self.compared, caption + "±: errors of the numerics, where they are "
             "known, and of the tables; what differs by more is marked, unless "
-            f"{self.explaining} may explain it. {self.reflections}",
+            f"{self.explaining} may explain it. {self.reflections}{self.heights}",
             numbers=(1, 2), data=self.file)
 
     def doubts(self):
@@ -123,6 +123,20 @@ class Lead:
                 "Warnings of the coarser run alone, which estimates the error",
                 page.bullets(told[True])))
         return page.tag("div", *parts, kind="doubts") if parts else ""
+
+
+def _heights(scene):
+    """How high the probe beside the body is, and the parts that its wave is
+    compared with, as a sentence; "" where they are level."""
+    probe, known = scene.facts.get("probe_beside_body"), scene.loads()
+    if not probe or known is None:
+        return ""
+    others = [f"the {name} {page.given(round(place[2], 2), 'm')}"
+              for name, place in known.places().items()
+              if name in ("chest", "left ear")
+              and abs(place[2] - probe[2]) > LEVEL]
+    return (f" The probe is {page.given(round(probe[2], 2), 'm')} above the ground, "
+            f"{page.joined(others)}.") if others else ""
 
 
 def _opening(scene):
@@ -273,7 +287,7 @@ def _certainty(scene, judged):
         why = injury_table.why_by_the_skin(scene)
         parts.append(f"{why[:1].upper()}{why[1:]}: death by lung injury follows "
                      "from the reflected load on the skin.")
-    parts += _cut_off(judged) + _walls(scene, judged)
+    parts += injury_table.cut_off(judged, "Scene/End time") + _walls(scene, judged)
     parts += _tables(scene, judged) + _verdicts(scene, judged)
     parts += _afterburn(scene) + _model_bias(scene)
     parts += _loads(scene) + EnergyAudit(scene).reservations() + _limits(scene)
@@ -284,13 +298,6 @@ def _certainty(scene, judged):
             "No limit of brain pressure or strain is agreed on for blast: the "
             "published limits were found for impacts, and survived blasts "
             "exceed the pressure limits.")
-    end = scene.fact("end_time")
-    if end is not None and end < LONG_ENOUGH and any(
-            entry.name in ("injury_strain_95", "injury_hic15")
-            for entry in judged):
-        parts.append(
-            f"The run ends after {page.given(1e3 * end, 'ms')}, while brain strain "
-            "and head motion still grow: their values are lower limits.")
     failed = [stage.get("name") for stage in scene.list_of("stages")
               if stage.get("status") == "failed"
               and not str(stage.get("name")).startswith("coarser_")]
@@ -298,16 +305,6 @@ def _certainty(scene, judged):
         parts.append("The scene is not complete: " + page.joined(
             str(name) for name in failed) + " failed.")
     return parts
-
-
-def _cut_off(judged):
-    """Which measures that could be judged the end of the run makes lower
-    limits."""
-    cut = [entry.short_title() for entry in judged
-           if entry.is_cut and entry.thresholds]
-    return [f"The run ends too early: {page.joined(cut)} "
-            + ("are lower limits" if len(cut) > 1 else "is a lower limit")
-            + "; a later Scene/End time gives all of it."] if cut else []
 
 
 def _walls(scene, judged):
@@ -383,6 +380,11 @@ def _tables(scene, judged):
             f"the load on the lung{_at_trunk(scene)} is {page.number(known)}, "
             f"{sides[0]} the {meaning} of {load.shown_limit(limit)}, where this "
             f"run has {load.shown()}, {sides[1]} it")
+    ears = verdict.other_ears(scene, judged)
+    if ears is not None:
+        chances.append(f"the {ears[0].short_title()} is "
+                       f"{page.chance(ears[1])} at its distance, where this "
+                       f"run has {ears[0].shown()}")
     if chances:
         parts.append("By the tables, " + page.joined(chances) + ".")
     return [" ".join(parts)] if parts else []

@@ -157,18 +157,34 @@ def _death_by_tables(scene):
         else page.interval(low, high)
 
 
-def _by_the_tables(scene, ears):
-    """What the tables say of eardrums in the open and before a wall, where the
-    bounds of no ear reach that; else "", as for ears that are farther from the
-    charge."""
-    known = scene.table_answer("eardrum_rupture")
-    places = [entry.name.removeprefix("ear_rupture_") for entry in ears]
-    if None in known or injury_table.are_far(scene, places) or any(
-            bound[1] >= known[0] and bound[0] <= known[1]
-            for bound in (entry.bounds() or 2 * (entry.value,)
-                          for entry in ears)):
-        return ""
-    return f", by the tables {page.interval(*known)}"
+def ears_of_tables(scene, ears):
+    """What the tables say of eardrums in the open and before a wall, at the
+    distance of the nearer ear, where the bounds of no ear reach that; else
+    None."""
+    known = scene.table_answer("eardrum_rupture", "ears")
+    if None in known:  # as of a scene before 0.2.0
+        known = scene.table_answer("eardrum_rupture")
+        places = [entry.name.removeprefix("ear_rupture_") for entry in ears]
+        if None in known or injury_table.are_far(scene, places):
+            return None
+    return None if any(
+        bound[1] >= known[0] and bound[0] <= known[1]
+        for bound in (entry.bounds() or 2 * (entry.value,)
+                      for entry in ears)) else known
+
+
+def other_ears(scene, judged):
+    """The eardrum that is likeliest to rupture, and the nearest probability of
+    the tables at the same distance, where that is another verdict; else
+    None."""
+    ears = [entry for entry in judged if entry.name.startswith("ear_")]
+    known = ears_of_tables(scene, ears) if ears else None
+    if known is None:
+        return None
+    worst = max(ears, key=lambda entry: entry.value)
+    nearest = min(max(worst.value, known[0]), known[1])
+    return None if worst.exceeded() == worst.exceeded(nearest) \
+        else (worst, nearest)
 
 
 def _ears(scene, judged):
@@ -177,7 +193,10 @@ def _ears(scene, judged):
     if not ears:
         return None
     worst = max(ears, key=lambda entry: entry.value)
-    kind, tables = injury_table.severity(worst), _by_the_tables(scene, ears)
+    kind, known = injury_table.severity(worst), ears_of_tables(scene, ears)
+    tables = f", by the tables {page.interval(*known)}" if known else ""
+    if kind == "good" and other_ears(scene, judged) is not None:
+        kind = "mid"
     words = [_word(EARS, entry, entry.value) for entry in ears]
     whose = "rupture of " if worst.is_own else ""
     sides = [entry.name[len("ear_rupture_"):].split()[0] for entry in ears]
@@ -310,19 +329,25 @@ def _brain(judged):
     measures = [entry for entry in judged if entry.name.startswith("injury_")
                 and not entry.name.startswith("injury_lung")]
     entries = [entry for entry in measures if entry.has_verdict]
+    cut = [entry.short_title() for entry in measures
+           if entry.is_open and entry.thresholds]
     if not entries:
-        return None
+        return Verdict("brain", "brain not judged", "none", CUT) if cut else None
     above = [entry for entry in entries if entry.exceeded()]
     unsure = [entry for entry in entries if entry.is_certain() is False]
     if not above:
         beyond = page.joined(entry.short_title() for entry in measures
                              if entry.exceeded())
+        details = [f"{UNSURE}: " + page.joined(
+            entry.short_title() for entry in unsure)] if unsure else []
+        if cut:
+            details.append(f"{page.joined(cut)} not judged, as {CUT}")
         return Verdict("brain", "brain: below all thresholds"
+                       + (" so far" if cut else "")
                        + (f" but that of an exposure, {beyond}" if beyond
-                          else ""), "mid" if beyond else "good",
-                       f"{UNSURE}: " + page.joined(
-                           entry.short_title() for entry in unsure)
-                       if unsure else "", entries[0], entries)
+                          else ""),
+                       "mid" if beyond else "none" if cut else "good",
+                       "; ".join(details), entries[0], entries)
     words = [_reached(entry) for entry in above if entry not in unsure]
     if unsure:
         words.append(page.joined(_reached(entry) for entry in unsure)

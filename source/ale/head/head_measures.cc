@@ -86,8 +86,7 @@ void HeadMeasures::follow_brain(const LagrangeStep &lagrange,
   for (std::size_t i = 0; i < record_.samples.size(); ++i)
   {
     const CellValues values = lagrange.values(state, cells_[i]);
-    record_.samples[i].peak_strain =
-      std::max(record_.samples[i].peak_strain, values.principal_strain);
+    record_.samples[i].record_strain(values.principal_strain);
     pressures.push_back(values.pressure);
   }
   record_brain(state.time,

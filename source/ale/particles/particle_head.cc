@@ -99,8 +99,7 @@ void ParticleHead::follow_brain(const mpm::ParticleMaterial &brain,
                       pressures.push_back(block[column::pressure][p]);
                       averages.push_back(values.pressure);
                       heights.push_back(height_of(block, p) - centre_);
-                      sample->peak_strain =
-                        std::max(sample->peak_strain, values.principal_strain);
+                      sample->record_strain(values.principal_strain);
                       ++sample;
                     });
   const solid::BrainSums before = record_.sums;

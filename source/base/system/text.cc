@@ -164,7 +164,8 @@ std::string brief(const double value, const int digits)
   if (std::isinf(value))
     return value > 0. ? "infinite" : "negative and infinite";
   char buffer[64];
-  std::snprintf(buffer, sizeof(buffer), "%.*g", digits, value);
+  // The sum has no negative zero.
+  std::snprintf(buffer, sizeof(buffer), "%.*g", digits, value + 0.);
   return buffer;
 }
 

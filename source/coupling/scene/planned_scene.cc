@@ -230,37 +230,55 @@ double PlannedScene::person_mass() const
 }
 
 
-std::optional<Landmark> PlannedScene::nearest_gauge(const bool of_trunk) const
+std::optional<Landmark>
+PlannedScene::nearest_gauge(const std::vector<std::string> &parts) const
 {
   const auto distance = [&](const Landmark &landmark) {
     return landmark.place.distance(layout_->charge);
+  };
+  // "back" is no "lower back", and "left ear" is an "ear".
+  const auto is_asked_for = [&](const std::string &name) {
+    const auto is_name = [&](const std::string &part) {
+      const std::string ending = " " + part;
+      return name == part || (name.size() > ending.size() &&
+                              name.find(ending) == name.size() - ending.size());
+    };
+    return parts.empty() || std::any_of(parts.begin(), parts.end(), is_name);
   };
   // Of both sides of a body that the charge faces the first one, as recorded.
   constexpr double same = 1. - 1e-6;
   std::optional<Landmark> nearest;
   for (const Landmark &landmark : body_->landmarks())
-  {
-    const bool is_on_trunk =
-      landmark.name == "chest" || landmark.name == "back" ||
-      landmark.name.find("upper arm") != std::string::npos;
-    if ((is_on_trunk || !of_trunk) &&
+    if (is_asked_for(landmark.name) &&
         (!nearest || distance(landmark) < same * distance(*nearest)))
       nearest = landmark;
-  }
   return nearest;
+}
+
+
+std::optional<SceneLayout>
+PlannedScene::layout_at(const std::vector<std::string> &parts) const
+{
+  const auto gauge = nearest_gauge(parts);
+  if (!gauge)
+    return {};
+  SceneLayout there = *layout_;
+  there.distance = gauge->place.distance(layout_->charge);
+  return there;
 }
 
 
 std::optional<SceneLayout> PlannedScene::layout_at_trunk() const
 {
-  const auto gauge = nearest_gauge(true);
-  if (!gauge)
-    return {};
-  SceneLayout there = *layout_;
-  there.distance = gauge->place.distance(layout_->charge);
-  if (layout_->probe && !is_apart(there, *layout_))
-    return {};
-  return there;
+  const auto there = layout_at({"chest", "back", "upper arm"});
+  return there && layout_->probe && !is_apart(*there, *layout_) ? std::nullopt
+                                                                : there;
+}
+
+
+std::optional<SceneLayout> PlannedScene::layout_at_ears() const
+{
+  return layout_at({"ear"});
 }
 
 

@@ -208,9 +208,26 @@ namespace
   }
 
 
+  /// The answer of the tables at a place that is farther from the charge than
+  /// the nearest skin; null without such a place.
+  io::Json answer_at(const PlannedScene &scene,
+                     const std::optional<SceneLayout> &there)
+  {
+    if (!there)
+      return {};
+    const auto answer =
+      table_answer(scene.parameters(), *there, scene.person_mass());
+    return {
+      {"distance", there->distance},
+      {"in_the_open", answer ? effect_of(answer->in_the_open) : io::Json()},
+      {"before_a_wall",
+       answer ? effect_of(answer->before_a_wall) : io::Json()}};
+  }
+
+
   /// The answer of the tables, null where they have none, that at the trunk if
-  /// its skin tells of the lungs, and the equivalence by which they are
-  /// entered.
+  /// its skin tells of the lungs and at the ears, and the equivalence by which
+  /// they are entered.
   io::Json tables_of(const PlannedScene &scene)
   {
     const TntEquivalence &tnt = scene.parameters().explosive.tnt;
@@ -222,7 +239,8 @@ namespace
       {"burst", IncidentWave::tables_for(scene.layout().is_surface_burst)},
       {"body_mass", scene.person_mass()},
       {"answer", nullptr},
-      {"trunk", nullptr}};
+      {"trunk", answer_at(scene, scene.layout_at_trunk())},
+      {"ears", answer_at(scene, scene.layout_at_ears())}};
     if (const auto answer =
           table_answer(scene.parameters(), scene.layout(), scene.person_mass()))
       json["answer"] = {{"arrival", answer->arrival},
@@ -230,16 +248,6 @@ namespace
                         {"duration", answer->duration},
                         {"in_the_open", effect_of(answer->in_the_open)},
                         {"before_a_wall", effect_of(answer->before_a_wall)}};
-    if (const auto there = scene.layout_at_trunk())
-    {
-      const auto answer =
-        table_answer(scene.parameters(), *there, scene.person_mass());
-      json["trunk"] = {
-        {"distance", there->distance},
-        {"in_the_open", answer ? effect_of(answer->in_the_open) : io::Json()},
-        {"before_a_wall",
-         answer ? effect_of(answer->before_a_wall) : io::Json()}};
-    }
     return json;
   }
 

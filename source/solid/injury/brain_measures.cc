@@ -8,6 +8,7 @@
 #include <contrecoup/solid/injury/brain_measures.h>
 
 #include <cmath>
+#include <utility>
 
 namespace contrecoup::solid
 {
@@ -15,8 +16,12 @@ namespace
 {
   namespace mpi = dealii::Utilities::MPI;
 
+  /// Share of the brain that decides on injury_strain_95.
+  constexpr double tail = 0.05;
+
   /// @param sums volumes: of all, with more than 15 % and 25 % strain, and
-  /// cavitated; then the members of BrainSums
+  /// cavitated; then the members of BrainSums; then the volume whose strain
+  /// grows
   void add_parts(const std::vector<double> &sums,
                  const double strain,
                  std::vector<InjuryMeasure> &list)
@@ -28,9 +33,13 @@ namespace
     if (sums[6] > 0.)
       list.push_back(known_measure("injury_pressure_roughness",
                                    std::sqrt(sums[5] / sums[6])));
-    list.push_back(known_measure("injury_strain_95", strain));
-    list.push_back(known_measure("injury_csdm_15", sums[1] / volume));
-    list.push_back(known_measure("injury_csdm_25", sums[2] / volume));
+    for (const auto &[name, value] : {std::pair{"injury_strain_95", strain},
+                                      {"injury_csdm_15", sums[1] / volume},
+                                      {"injury_csdm_25", sums[2] / volume}})
+    {
+      list.push_back(known_measure(name, value));
+      list.back().is_cut = sums[7] > tail * volume;
+    }
   }
 } // namespace
 
@@ -69,7 +78,8 @@ brain_measures(const std::vector<BrainSample> &samples,
                            0.,
                            of_rank.cavitation_dose,
                            of_rank.fluctuation_square,
-                           of_rank.average_square};
+                           of_rank.average_square,
+                           0.};
   for (const BrainSample &sample : samples)
   {
     strains.push_back(sample.peak_strain);
@@ -79,6 +89,7 @@ brain_measures(const std::vector<BrainSample> &samples,
     sums[2] += sample.peak_strain > 0.25 ? sample.volume : 0.;
     sums[3] +=
       sample.lowest_pressure < cavitation_pressure ? sample.volume : 0.;
+    sums[7] += sample.strain_grows ? sample.volume : 0.;
     peak = std::max(peak, sample.peak_pressure);
     lowest = std::min(lowest, sample.lowest_pressure);
   }
@@ -90,7 +101,7 @@ brain_measures(const std::vector<BrainSample> &samples,
                                mpi::max(peak, communicator)));
   list.push_back(known_measure("injury_intracranial_pressure_lowest",
                                mpi::min(lowest, communicator)));
-  add_parts(sums, percentile(strains, volumes, 0.95, communicator), list);
+  add_parts(sums, percentile(strains, volumes, 1. - tail, communicator), list);
   return list;
 }
 
@@ -120,21 +131,47 @@ std::vector<InjuryMeasure> head_motion_measures(const HeadMotion &motion,
   for (const std::array<double, 3> &value : turning.values)
     for (unsigned int d = 0; d < 3; ++d)
       largest[d] = std::max(largest[d], std::abs(value[d]));
+  bool turns_faster = false;
+  for (unsigned int d = 0; d < 3; ++d)
+    turns_faster =
+      turns_faster ||
+      (largest[d] > 0. && std::abs(turning.values.back()[d]) == largest[d]);
+  const HeadInjuryCriterion criterion =
+    head_injury_criterion(velocities.times, velocities.values, 0.015);
+
   std::vector<InjuryMeasure> list;
-  for (InjuryMeasure measure :
-       {known_measure(
-          "injury_hic15",
-          head_injury_criterion(velocities.times, velocities.values, 0.015)
-            .value),
-        known_measure("injury_bric", brain_injury_criterion(largest))})
-  {
+  const auto add = [&](InjuryMeasure measure, const bool is_cut) {
     measure.limits =
       "of " + moving + ", filtered by CFC 1000; " + measure.limits;
+    measure.is_cut = is_cut;
     list.push_back(measure);
-    for (const InjuryMeasure &probability : probabilities_of(measure))
+    for (InjuryMeasure probability : probabilities_of(measure))
+    {
+      probability.is_cut = is_cut;
       list.push_back(probability);
-  }
+    }
+  };
+  add(known_measure("injury_hic15", criterion.value),
+      criterion.value > 0. && criterion.end == velocities.times.back());
+  add(known_measure("injury_bric", brain_injury_criterion(largest)),
+      turns_faster);
   return list;
+}
+
+
+void mark_lower_limits(const double end, std::vector<InjuryMeasure> &list)
+{
+  constexpr double long_enough = 0.01; // [s]
+  const auto grows = [](const std::string &name) {
+    for (const char *measure :
+         {"injury_strain_95", "injury_csdm_", "injury_hic15", "injury_bric"})
+      if (name.rfind(measure, 0) == 0)
+        return true;
+    return false;
+  };
+  for (InjuryMeasure &measure : list)
+    measure.is_cut =
+      measure.is_cut || (end < long_enough && grows(measure.value.name));
 }
 
 

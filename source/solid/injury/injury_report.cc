@@ -204,8 +204,8 @@ void InjuryReport<Real>::follow_brain(const SolidBody<Real> &body,
     [&](const std::uint32_t cell, const ElementValues &element) {
       const std::uint32_t i = sample_of_element_[cell];
       pressures[i] = pressure_of(element.stress);
-      record_.samples[i].peak_strain =
-        raised_to_principal(record_.samples[i].peak_strain, element.strain);
+      record_.samples[i].record_strain(
+        raised_to_principal(record_.samples[i].peak_strain, element.strain));
     },
     brain_);
   record_pressures(span,
@@ -303,6 +303,7 @@ InjuryReport<Real>::measures(const SolidBody<Real> &body) const
   std::vector<InjuryMeasure> list;
   add_brain(body, list);
   add_head(body, list);
+  mark_lower_limits(body.time(), list);
   if (has(Tissue::lung, body.mesh()))
     for (const InjuryMeasure &measure : chest_.measures())
       list.push_back(measure);

@@ -62,14 +62,18 @@ public:
     return *layout_;
   }
 
-  /// The place of a gauge on the skin, or on the trunk alone, that is nearest
-  /// to the charge; nothing of a body without gauges.
-  std::optional<Landmark> nearest_gauge(bool of_trunk = false) const;
+  /// The gauge on the skin that is nearest to the charge, of those whose name
+  /// ends with one of @p parts, or of all; nothing of a body without such.
+  std::optional<Landmark>
+  nearest_gauge(const std::vector<std::string> &parts = {}) const;
 
   /// The layout with the distance of the trunk, where this is much farther from
   /// the charge than the nearest skin, as with a charge at the feet, or where
   /// no probe has the wave beside the body: there its skin tells of the lungs.
   std::optional<SceneLayout> layout_at_trunk() const;
+
+  /// The layout with the distance of the nearer ear.
+  std::optional<SceneLayout> layout_at_ears() const;
 
   /// Probes of biomechanics in tissues; empty unless injury is asked for.
   const std::vector<TissuePlace> &tissue_places() const
@@ -103,6 +107,9 @@ public:
   }
 
 private:
+  /// The layout with the distance of nearest_gauge().
+  std::optional<SceneLayout>
+  layout_at(const std::vector<std::string> &parts) const;
   /// What the tables tell of lungs at layout_at_trunk(); empty without one.
   std::string answer_at_trunk() const;
   /// The elements of the body and their size.

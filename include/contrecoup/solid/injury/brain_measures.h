@@ -26,11 +26,19 @@ constexpr double cavitation_pressure = -100e3;
 /// Extreme values that one element or particle of the brain over time.
 struct BrainSample
 {
-  std::uint32_t cell = 0; ///< number in the whole mesh
-  double volume = 0.;     ///< [m^3]
+  std::uint32_t cell = 0;         ///< number in the whole mesh
+  std::uint32_t strain_grows = 0; ///< whether the last strain is the largest
+  double volume = 0.;             ///< [m^3]
   double peak_strain = 0.;
   double peak_pressure = 0.;
   double lowest_pressure = 0.;
+
+  /// Updates the extreme strain: the largest of all times up to now.
+  void record_strain(const double largest)
+  {
+    strain_grows = largest > peak_strain;
+    peak_strain = std::max(peak_strain, largest);
+  }
 
   /// Updates the extreme pressures.
   void record_pressure(const double pressure)
@@ -65,8 +73,9 @@ void record_pressures(const double span,
                       std::vector<BrainSample> &samples,
                       BrainSums &sums);
 
-/// Injury measures from the samples of all ranks; empty without samples.
-/// Collective.
+/// Injury measures from the samples of all ranks; empty without samples. Those
+/// of strain are lower limits where the strain of more than a twentieth of the
+/// brain still grows. Collective.
 std::vector<InjuryMeasure>
 brain_measures(const std::vector<BrainSample> &samples,
                const BrainSums &sums,
@@ -87,11 +96,17 @@ struct HeadMotion
 /**
  * Head injury criterion (HIC) and brain injury criterion (BrIC) of the motion
  * after the filter of channel frequency class 1000 (SAE J211/1), each with the
- * probabilities of injury that follow; empty for less than two times.
+ * probabilities of injury that follow; empty for less than two times. Lower
+ * limits are those whose interval or largest value is at the end.
  * @param moving describes what moves, for the report
  */
 std::vector<InjuryMeasure> head_motion_measures(const HeadMotion &motion,
                                                 const std::string &moving);
+
+/// Marks brain strain and head motion as lower limits where a run under a blast
+/// ends, at @p end [s], before the largest strains that the front causes, after
+/// some 10 ms.
+void mark_lower_limits(double end, std::vector<InjuryMeasure> &list);
 
 /// The measures as a table for injury.csv.
 std::string to_csv(const std::vector<InjuryMeasure> &measures);

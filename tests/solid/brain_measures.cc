@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/solid/injury/brain_measures.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace contrecoup::solid;
+
+namespace
+{
+bool is_cut(const std::vector<InjuryMeasure> &list, const std::string &name)
+{
+  for (const InjuryMeasure &measure : list)
+    if (measure.value.name == name)
+      return measure.is_cut;
+  ADD_FAILURE() << "no " << name;
+  return false;
+}
+} // namespace
+
+
+// Forty elements as large as one another: a twentieth of the brain are two.
+TEST(BrainMeasures, AreLowerLimitsWhileTheStrainOfATwentiethGrows)
+{
+  for (const unsigned int n_growing : {2, 3})
+  {
+    std::vector<BrainSample> samples(40);
+    for (unsigned int i = 0; i < samples.size(); ++i)
+    {
+      samples[i].volume = 0.125;
+      samples[i].record_strain(0.1);
+      samples[i].record_strain(i < n_growing ? 0.11 : 0.1);
+    }
+    const auto list = brain_measures(samples, BrainSums(), MPI_COMM_SELF);
+    for (const char *name :
+         {"injury_strain_95", "injury_csdm_15", "injury_csdm_25"})
+      EXPECT_EQ(is_cut(list, name), n_growing == 3) << name;
+    EXPECT_FALSE(is_cut(list, "injury_intracranial_pressure_peak"));
+  }
+}
+
+
+// A head that is pushed and turned by half a sine over 4 ms, and of which the
+// end of the run leaves half.
+TEST(BrainMeasures, AreLowerLimitsWhileTheHeadIsPushed)
+{
+  for (const double end : {2e-3, 8e-3})
+  {
+    HeadMotion motion;
+    for (double time = 0.; time <= end; time += 2e-5)
+    {
+      const double speed = 1. - std::cos(M_PI * std::min(time / 4e-3, 1.));
+      dealii::Tensor<1, 3> velocity;
+      velocity[0] = 3. * speed;
+      // It turns back after 4 ms.
+      dealii::Tensor<1, 3> turning;
+      turning[1] = 10. * std::sin(M_PI * time / 6e-3);
+      motion.add(time, velocity, turning);
+    }
+    const auto list = head_motion_measures(motion, "the skull");
+    for (const char *name :
+         {"injury_hic15", "injury_hic15_ais2", "injury_bric"})
+      EXPECT_EQ(is_cut(list, name), end < 4e-3) << name << " at " << end;
+  }
+}
+
+
+TEST(BrainMeasures, AreLowerLimitsOfAShortRunWhereTheyStillGrow)
+{
+  for (const double end : {0.0099, 0.01})
+  {
+    std::vector<InjuryMeasure> list;
+    for (const char *name : {"injury_intracranial_pressure_peak",
+                             "injury_strain_95",
+                             "injury_csdm_25",
+                             "injury_hic15",
+                             "injury_hic15_ais2",
+                             "injury_bric"})
+      list.push_back({{name, "-", 0.1}, "", ""});
+    mark_lower_limits(end, list);
+    EXPECT_FALSE(list[0].is_cut);
+    for (std::size_t i = 1; i < list.size(); ++i)
+      EXPECT_EQ(list[i].is_cut, end < 0.01) << list[i].value.name;
+  }
+}
