@@ -142,6 +142,11 @@ RunOutputs::RunOutputs(const std::string &folder)
 
 void RunOutputs::mark_lower_limits()
 {
+  const auto mark = [&](const std::string &address) {
+    if (const auto found = values_.find(address); found != values_.end())
+      found->second.is_lower_limit = true;
+  };
+  const std::string contact = "contact_";
   for (const auto &[address, output] : values_)
     for (const std::string flag : {"cut_off", "cut off"})
       if (output.value == 1. && ends_with(address, flag))
@@ -155,8 +160,12 @@ void RunOutputs::mark_lower_limits()
                                          begin + "positive phase",
                                          begin + "value",
                                          begin.substr(0, begin.size() - 1)})
-          if (const auto found = values_.find(limit); found != values_.end())
-            found->second.is_lower_limit = true;
+          mark(limit);
+        // The force of a contact that lasts may still grow.
+        if (ends_with(begin, contact))
+          for (const char *const name : {"force", "area"})
+            mark(begin.substr(0, begin.size() - contact.size()) + "peak_" +
+                 contact + name);
       }
 }
 

@@ -354,8 +354,8 @@ void Study::write_results(const std::string &status, const double seconds)
   warn_of(result.n_cut_off(),
           "ends",
           "end",
-          " before the positive phase does: what study.md marks with ≥ is a "
-          "lower limit; a later end time gives all of it");
+          " before a positive phase, a contact or a strain does: what study.md "
+          "marks with ≥ is a lower limit; a later end time gives all of it");
   warn_of(result.n_warned(), "has", "have", " warnings, which study.md lists");
   write_text(path("study.csv"), to_csv(parameters_, result));
   write_text(path("study.md"), to_markdown(parameters_, result));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/ale/head/head_answer.h>
 #include <contrecoup/ale/run/ale_simulation.h>
 #include <contrecoup/base/parameters/parameter_tree.h>
 #include <contrecoup/base/parameters/parameters.h>
@@ -177,21 +178,61 @@ TEST(ImpactPlan, audits_friction_and_contact)
         return item;
     return Assumption();
   };
-  ImpactPlan::ImpactResults found{{}, 1., 0., 3., 6.};
+  ImpactPlan::ImpactResults found{{}, {}, 0., 3., 6.};
+  found.contact.begin = 0.3;
+  found.contact.end = 1.;
   EXPECT_NEAR(find(found, "friction").value, 0.15, 1e-15);
   EXPECT_TRUE(find(found, "friction").fails());
   EXPECT_EQ(find(found, "contact").value, 0.5);
-  found.contact_end = 2.;
+  found.contact.end = 2.;
   EXPECT_TRUE(find(found, "contact").fails());
   // A run that stops early has seen the end of a contact or not.
   for (const double end : {-1., 0.5, 1.})
   {
     found.time = 1.;
-    found.contact_end = end;
+    found.contact.begin = end < 0. ? -1. : 0.3;
+    found.contact.end = end;
     EXPECT_EQ(std::isnan(find(found, "contact").value), end != 0.5) << end;
   }
   plan.planes[0].friction = 0.5;
   found.friction_work = -1.5;
   EXPECT_NEAR(find(found, "friction").value, 0.25, 1e-15);
   EXPECT_FALSE(find(found, "friction").fails());
+}
+
+TEST(ContactRecord, KnowsNoEndOfAContactThatLasts)
+{
+  ContactRecord record;
+  ContactMeasures push;
+  record.start(
+    {"wall", dealii::Point<3>(), dealii::Tensor<1, 3>({0., 0., 1.}), 0.},
+    dealii::Tensor<1, 3>({0., 0., -3.}),
+    1.,
+    {});
+  EXPECT_FALSE(record.lasts(0.1));
+  EXPECT_NE(answer_lines(record.values(0.1), true, "")[0].find("nothing"),
+            std::string::npos);
+  push.force = 50.;
+  record.add(push, 0.2, 0.1);
+  record.add(push, 0.3, 0.1);
+  for (const double now : {0.3, 0.4})
+  {
+    const bool lasts = now < 0.4;
+    const auto values = record.values(now);
+    const auto find = [&](const std::string &name) {
+      for (const NamedValue &value : values)
+        if (value.name == name)
+          return value.value;
+      return 0.;
+    };
+    EXPECT_EQ(std::isnan(find("contact_end")), lasts);
+    EXPECT_EQ(find("contact_cut_off"), lasts ? 1. : 0.);
+    EXPECT_NEAR(find("contact_impulse"), 10., 1e-12);
+    EXPECT_EQ(answer_lines(values, true, "")[0],
+              lasts ? "Impact at 3 m/s: largest contact force so far 50 N at "
+                      "200 ms, contact from 100 ms, which lasts when the run "
+                      "ends"
+                    : "Impact at 3 m/s: largest contact force 50 N at 200 ms, "
+                      "contact from 100 ms to 300 ms");
+  }
 }

@@ -136,6 +136,11 @@ def check_contact(page, files):
             page.table("Contact and rebound").records()}
     found, history = files.found, files.history
     count = 0
+    require(("contact_cut_off" in found) == all(
+        rows[name]["whole head"].startswith("≥") for name in rows
+        if name.startswith(("largest", "impulse"))) == (
+            rows["contact ends"]["when"] == "not until the end"),
+            "lower limits of a contact that lasts")
     for name, value, when in (
             ("contact begins", None, found["contact_begin"]),
             ("largest contact force of a step",

@@ -117,6 +117,9 @@ class MethodsTest(unittest.TestCase):
             elif name == "mass":
                 self.assertEqual(values[0], values[1])
         self.assertGreaterEqual(seen, 9)
+        # The contact lasts when these short runs end.
+        self.assertIn("contact impulse until the end of the run",
+                      [row[0] for row in methods_report.quantities(pair)])
 
     def test_the_page_names_them_and_has_its_pictures(self):
         folder = os.path.join(self.place.name, "both")

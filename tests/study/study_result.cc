@@ -224,6 +224,23 @@ TEST_F(FinishedStudy, MarksWhatTheEndOfARunCutsOff)
   EXPECT_FALSE(json["rows"][0]["lower_limits"][0].get<bool>());
 }
 
+TEST_F(FinishedStudy, MarksAContactThatLasts)
+{
+  read({"Study/Columns=results.contact_end; results.contact_impulse; "
+        "results.peak_contact_force"});
+  for (Task &task : tasks_)
+    std::ofstream(task.run_folder() + "/summary.json") << nlohmann::json{
+      {"errors", {{"density_L1", 1.}}},
+      {"results",
+       {{"contact_end", {{"value", nullptr}, {"unit", "s"}}},
+        {"contact_impulse", {{"value", 9.18}, {"unit", "N s"}}},
+        {"peak_contact_force", {{"value", 9510.}, {"unit", "N"}}},
+        {"contact_cut_off", {{"value", 1.}, {"unit", "-"}}}}}};
+  const std::string text =
+    to_markdown(parameters_, evaluate(parameters_, tasks_));
+  EXPECT_NE(text.find("|  | ≥ 9.18 | ≥ 9510 |"), std::string::npos) << text;
+}
+
 TEST_F(FinishedStudy, ShowsFurtherNumbersOfRunsAndReference)
 {
   read({"Study/Columns=value; errors.none if any",

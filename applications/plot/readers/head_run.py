@@ -135,8 +135,13 @@ class HeadRun(Stage):
 
     def contact(self, name):
         """What the summary says of the contact, of every step; None if nothing
-        touched the planes."""
+        touched the planes, and of the end of a contact that lasts."""
         return self.found("results", name)
+
+    def is_cut_off(self):
+        """Whether the contact lasts when the run ends."""
+        return self.contact("contact_begin") is not None \
+            and self.last_contact() is None
 
     def last_contact(self):
         """When the planes last pushed; None if never, or at the end."""

@@ -135,7 +135,7 @@ def answer(run, judged):
             + (f" and has left the plane at {page.milliseconds(end)}."
                if end is not None else
                ", and touches the plane when the run ends."
-               if run.contact("contact_end") is not None else "."))
+               if run.is_cut_off() else "."))
     else:
         text[0] += " moves; there is no plane."
     for layer, name in (("csf", "The CSF's pressure"),
@@ -323,19 +323,20 @@ def contact(run, folder):
     velocity = run.normal_velocity()
     rebound, end = run.rebound(), run.last_contact()
     rows = []
+    limit = "≥ " if run.is_cut_off() else ""
     if run.contact("contact_begin") is not None:
         rows = [
             ("contact begins", "–",
              page.milliseconds(run.contact("contact_begin"))),
-            ("largest contact force of a step", page.quantity(
+            ("largest contact force of a step", limit + page.quantity(
                 run.contact("peak_contact_force"), "N"),
              page.milliseconds(run.contact("peak_contact_force_time"))),
             (f"largest mean over {page.quantity(head_figures.SPAN, 's')}",
-             page.quantity(force, "N"), page.milliseconds(when)),
-            ("largest contact area", page.number(
+             limit + page.quantity(force, "N"), page.milliseconds(when)),
+            ("largest contact area", limit + page.number(
                 1e4 * run.contact("peak_contact_area")) + " cm²",
              "–"),
-            ("impulse of the contact force", page.quantity(
+            ("impulse of the contact force", limit + page.quantity(
                 run.contact("contact_impulse"), "N s"), "–")]
     rows += [
         ("velocity towards the plane at the start",

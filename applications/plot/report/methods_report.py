@@ -61,8 +61,10 @@ def quantities(pair):
             ("largest contact force, mean over 50 µs", "N", pair.both(
                 lambda run: head_report.largest_force(run)[0])),
             ("largest contact area", "m^2", pair.both(largest_area)),
-            ("contact impulse", "N s", pair.both(
-                lambda run: run.contact("contact_impulse"))),
+            ("contact impulse" + (" until the end of the run" if any(
+                pair.both(lambda run: run.is_cut_off())) else ""),
+             "N s", pair.both(
+                 lambda run: run.contact("contact_impulse"))),
             ("momentum changes its sign", "s", pair.both(
                 lambda run: run.rebound())),
             ("contact ends", "s", pair.both(lambda run: run.last_contact()))]

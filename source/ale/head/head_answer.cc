@@ -27,11 +27,13 @@ namespace
       line += ", " + brief(normal, 3) + " m/s along the normal of the plane";
     if (values.count("peak_contact_force") == 0)
       return line + ": nothing touches a plane until the end";
-    return line + ": largest contact force " +
-           brief(values.at("peak_contact_force"), 3) + " N at " +
-           milliseconds(values.at("peak_contact_force_time")) +
-           ", contact from " + milliseconds(values.at("contact_begin")) +
-           " to " + milliseconds(values.at("contact_end"));
+    const bool lasts = values.count("contact_cut_off") > 0;
+    line += ": largest contact force " + std::string(lasts ? "so far " : "") +
+            brief(values.at("peak_contact_force"), 3) + " N at " +
+            milliseconds(values.at("peak_contact_force_time")) +
+            ", contact from " + milliseconds(values.at("contact_begin"));
+    return line + (lasts ? ", which lasts when the run ends"
+                         : " to " + milliseconds(values.at("contact_end")));
   }
 
   std::string pressure_line(const Values &values, const std::string &which)

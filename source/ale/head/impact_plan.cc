@@ -265,15 +265,14 @@ std::vector<Assumption> ImpactPlan::audit(const ImpactResults &results) const
                             ? 0. - results.friction_work
                             : usual_friction * results.sliding_work;
   // A run that stops before the contact or within it has not seen its end.
-  const double almost = 1. - 1e-9;
+  const ContactRecord &contact = results.contact;
   const bool is_followed =
-    results.time >= almost * end_time ||
-    (results.contact_end >= 0. && results.contact_end < almost * results.time);
+    results.time >= (1. - 1e-9) * end_time ||
+    (contact.begin >= 0. && !contact.lasts(results.time));
   for (Assumption &item : items)
   {
     if (item.name == "contact")
-      item.value =
-        is_followed ? std::max(0., results.contact_end) / end_time : unknown;
+      item.value = is_followed ? std::max(0., contact.end) / end_time : unknown;
     if (item.name == "friction")
       item.value = results.kinetic_energy > 0.
                      ? friction / results.kinetic_energy

@@ -359,8 +359,8 @@ std::vector<NamedValue> ParticleSimulation::results()
 {
   std::vector<NamedValue> values;
   if (!contact_.empty())
-    values = contact_record_.values();
-  for (const NamedValue &value : region_contact_.values())
+    values = contact_record_.values(time_);
+  for (const NamedValue &value : region_contact_.values(time_))
     if (value.name.find("area") == std::string::npos)
       values.push_back({"region_" + value.name, value.unit, value.value});
   set_to_whole(values, mesh_.computed_fraction(), mesh_.symmetry_planes());

@@ -157,7 +157,7 @@ std::vector<Assumption> ParticleSimulation::audit()
   const double kinetic = initial_energy_;
   std::vector<Assumption> items =
     impact_plan().audit({extremes_.least_pressures(),
-                         contact_record_.end,
+                         contact_record_,
                          contact_now_.friction_work,
                          contact_now_.sliding_work,
                          kinetic,

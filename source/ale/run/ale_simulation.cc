@@ -416,7 +416,7 @@ std::vector<NamedValue> AleSimulation::results()
   std::vector<NamedValue> values;
   if (!planes_.empty())
   {
-    values = contact_.values();
+    values = contact_.values(state_.time);
     set_to_whole(values,
                  mesh_description_.computed_fraction(),
                  mesh_description_.symmetry_planes());

@@ -84,7 +84,7 @@ std::vector<Assumption> AleSimulation::audit()
 {
   const ContactMeasures contact = lagrange_.contact();
   return impact_plan().audit({extremes_.least_pressures(),
-                              contact_.end,
+                              contact_,
                               contact.friction_work,
                               contact.sliding_work,
                               initial_kinetic_energy_,

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <contrecoup/ale/head/head_estimate.h>
+#include <contrecoup/ale/lagrange/contact_record.h>
 #include <contrecoup/base/run/simulation.h>
 #include <contrecoup/numerics/injury/own_thresholds.h>
 
@@ -63,12 +64,12 @@ struct ImpactPlan
   struct ImpactResults
   {
     std::vector<double> least_pressures; ///< by region [Pa]
-    double contact_end = 0.;             ///< negative: no contact [s]
-    double friction_work = 0.;           ///< [J]
-    double sliding_work = 0.;            ///< see ContactMeasures [J]
-    double kinetic_energy = 0.;          ///< at the start [J]
-    double interface_work = 0.;          ///< see InterfaceCoupling [J]
-    double largest_energy = 0.;          ///< largest total energy so far [J]
+    ContactRecord contact;
+    double friction_work = 0.;  ///< [J]
+    double sliding_work = 0.;   ///< see ContactMeasures [J]
+    double kinetic_energy = 0.; ///< at the start [J]
+    double interface_work = 0.; ///< see InterfaceCoupling [J]
+    double largest_energy = 0.; ///< largest total energy so far [J]
     /// Time that the run has come to [s].
     double time = std::numeric_limits<double>::max();
   };

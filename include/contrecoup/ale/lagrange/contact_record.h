@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <vector>
 
 namespace contrecoup::ale
@@ -57,10 +58,18 @@ struct ContactRecord
     }
   }
 
-  /// Values for the summary: the motion at the start, and the contact if there
-  /// was any.
-  std::vector<NamedValue> values() const
+  /// Whether there is contact at time @p now [s] of the last step: then its end
+  /// is unknown, and force, area and impulse are lower limits.
+  bool lasts(const double now) const
   {
+    return begin >= 0. && end >= (1. - 1e-9) * now;
+  }
+
+  /// Values for the summary at time @p now [s]: the motion at the start, and
+  /// the contact if there was any.
+  std::vector<NamedValue> values(const double now) const
+  {
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
     std::vector<NamedValue> list;
     if (speed >= 0.)
       list = {{"impact_speed", "m/s", speed},
@@ -68,11 +77,13 @@ struct ContactRecord
     if (begin >= 0.)
       list.insert(list.end(),
                   {{"contact_begin", "s", begin},
-                   {"contact_end", "s", end},
+                   {"contact_end", "s", lasts(now) ? unknown : end},
                    {"contact_impulse", "N s", impulse},
                    {"peak_contact_force", "N", peak_force},
                    {"peak_contact_force_time", "s", peak_time},
                    {"peak_contact_area", "m^2", peak_area}});
+    if (lasts(now))
+      list.push_back({"contact_cut_off", "-", 1.});
     return list;
   }
 };
