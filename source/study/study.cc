@@ -427,7 +427,9 @@ void Study::draw() const
     const ProcessText text =
       run_process({io::plot_program(), "study", folder_}, temporary.path());
     if (text.end.exit_code != 0 || text.end.signal != 0)
-      throw SystemError(text.errors);
+      throw SystemError(text.end.signal != 0
+                          ? "ended by signal " + std::to_string(text.end.signal)
+                          : text.errors);
   }
   catch (const SystemError &error)
   {

@@ -26,6 +26,12 @@ contrecoup_add_application_test(folder_finished folder_finished
   FILE anatomy/extremes/needle.prm SET "Output/Pictures=false"
   ARGUMENTS "Output/Gmsh=true" TIMEOUT 60)
 
+# Stopped while it draws pictures.
+contrecoup_add_application_test(folder_stop_in_drawing folder_stop_in_drawing
+  FILE anatomy/extremes/needle.prm TIMEOUT 60)
+contrecoup_add_application_test(folder_stop_in_drawing folder_stop_in_drawing
+  FILE blast/verification/sod.prm SET "Output/Pictures=true" TIMEOUT 60)
+
 # Files of a user where results would be.
 contrecoup_add_application_test(folder_foreign folder_foreign ${_sod}
   COMPARE history.csv fields/fields_0000.vtu summary.json pictures/history.png
@@ -112,6 +118,8 @@ contrecoup_add_application_test(folder_signals_in_forecast
 contrecoup_add_application_test(folder_cache folder_cache ${_head_loads}
   "Scene/End time=0.0005" "Scene/Report=true" COMPARE report.html TIMEOUT 300)
 contrecoup_add_application_test(folder_no_report folder_no_report
+  ${_head_loads} "Scene/End time=0.0005" "Scene/Report=true" TIMEOUT 300)
+contrecoup_add_application_test(folder_stop_in_drawing folder_stop_in_drawing
   ${_head_loads} "Scene/End time=0.0005" "Scene/Report=true" TIMEOUT 300)
 contrecoup_add_application_test(folder_default folder_default
   FILE scene/verification/head.prm TIMEOUT 300)

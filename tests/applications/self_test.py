@@ -558,6 +558,14 @@ class FolderTest(SelfTest):
         self.rejects("it said", *options, flaw="mute")
         self.rejects("exit code 0", *options, flaw="content")
 
+    def test_stop_in_drawing(self):
+        options = ("folder_stop_in_drawing", "--set=Brief=true")
+        self.accepts(*options)
+        self.rejects("it does not say 'asked to stop", *options, flaw="mute")
+        self.rejects("gave 3", *options, flaw="content")
+        self.add_program("scene")
+        self.accepts(*options, "--application=./scene")
+
     def test_default(self):
         for name, (file, _) in folder_cases.BRIEF.items():
             self.write("files/" + file, "")

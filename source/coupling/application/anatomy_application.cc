@@ -115,7 +115,12 @@ namespace coupling
           log_line(line);
         warn_of_pieces(report);
         write(report);
+        const bool is_drawn =
+          !parameters_.draw ||
+          io::draw("anatomy", folder_, "pictures", "pictures");
         claim.set_status("finished");
+        if (!is_drawn)
+          SignalGuard::require_no_stop();
       }
 
     private:
@@ -320,8 +325,6 @@ namespace coupling
                              parameters_.distance_spacing,
                              4. * parameters_.distance_spacing,
                              path("distance.vti"));
-        if (parameters_.draw)
-          io::draw("anatomy", folder_, "pictures", "pictures");
         write_summary(report);
         show_line("results in " + folder_ + " after " + duration(seconds()));
         Log::instance().check();
@@ -403,7 +406,6 @@ namespace coupling
       double meshed_ = 0.; ///< when the mesh was ready [s]
     };
 
-    /// What a scene says of its own entries.
     std::vector<std::string> find_warnings(const io::CommandLine &command,
                                            const dealii::ParameterHandler &prm,
                                            const AnatomyParameters &parameters)

@@ -471,6 +471,11 @@ void SceneRun::write_report()
     !io::draw("report", command_.output_folder, "report", "report.html");
   show_line("results in " + command_.output_folder);
   Log::instance().check();
+  if (is_missing && SignalGuard::stop_signal() != 0)
+  {
+    show_line("stopped while the report was drawn; --resume makes it");
+    SignalGuard::require_no_stop();
+  }
   if (is_missing)
     throw SystemError("all stages are finished, but there is no report; "
                       "--resume makes it again");

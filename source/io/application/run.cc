@@ -248,6 +248,7 @@ namespace io
 
     loop_begin_ = std::chrono::steady_clock::now();
     RunLoop loop(time_, simulation_, folder_, collective_);
+    bool is_drawn = true;
     try
     {
       const bool is_finished = loop.run(state_) == RunStatus::finished;
@@ -259,7 +260,7 @@ namespace io
       const std::string status = is_finished ? "finished" : "stopped";
       summarise(status, told_stop(loop.stop_signal()));
       if (is_finished)
-        draw_pictures();
+        is_drawn = draw_pictures();
       folder_.set_status(status);
     }
     catch (const std::exception &)
@@ -280,6 +281,10 @@ namespace io
     }
     if (loop.stop_signal() != 0)
       throw Stopped(loop.stop_signal());
+    collective_.run([&]() {
+      if (!is_drawn)
+        SignalGuard::require_no_stop();
+    });
   }
 
   void Run::warn_of_gaps(const bool is_finished)
@@ -341,15 +346,18 @@ namespace io
     collective_.run([]() { Log::instance().check(); });
   }
 
-  void Run::draw_pictures() const
+  bool Run::draw_pictures() const
   {
     if (description_.pictures.empty() || !prm_.get_bool({"Output"}, "Pictures"))
-      return;
+      return true;
     const MPI_Comm all = collective_.communicator();
+    bool is_drawn = true;
     collective_.run([&]() {
       if (dealii::Utilities::MPI::this_mpi_process(all) == 0)
-        draw(description_.pictures, folder_.path(), "pictures", "pictures");
+        is_drawn =
+          draw(description_.pictures, folder_.path(), "pictures", "pictures");
     });
+    return is_drawn;
   }
 } // namespace io
 } // namespace contrecoup

@@ -3,9 +3,11 @@
 
 #include <contrecoup/base/system/log.h>
 #include <contrecoup/base/system/shell_word.h>
+#include <contrecoup/base/system/signals.h>
 #include <contrecoup/io/output/pictures.h>
 
 #include <dlfcn.h>
+#include <sys/wait.h>
 
 #include <cstdio>
 #include <filesystem>
@@ -19,21 +21,22 @@ namespace io
 {
   namespace
   {
-    /// What a command prints, and whether it succeeds; where it fails, the last
-    /// line is that of its errors.
-    std::pair<std::string, bool> output_of(const std::string &command)
+    /// What a command prints, and the status that wait() gives; where it fails,
+    /// the last line is that of its errors.
+    std::pair<std::string, int> output_of(const std::string &command)
     {
       const std::string with_reason =
         "exec 3>&1; errors=$(" + command +
-        " 2>&1 >&3) || { printf '\\n%s\\n' \"$errors\" | tail -n 2; exit 1; }";
+        " 2>&1 >&3) || { code=$?; printf '\\n%s\\n' \"$errors\" | tail -n 2; "
+        "exit $code; }";
       FILE *stream = popen(with_reason.c_str(), "r");
       if (stream == nullptr)
-        return {"", false};
+        return {"", -1};
       std::string text;
       char part[512];
       while (std::fgets(part, sizeof(part), stream) != nullptr)
         text += part;
-      return {text, pclose(stream) == 0};
+      return {text, pclose(stream)};
     }
 
     std::string last_line(const std::string &text)
@@ -43,6 +46,19 @@ namespace io
       for (std::string line; std::getline(lines, line);)
         last = line;
       return last;
+    }
+
+    /// Why a command failed that printed @p text and ended with @p status.
+    std::string failure_of(const std::string &text, const int status)
+    {
+      constexpr int first_signal = 128; // of exit codes of a shell
+      const int ended_by = WIFSIGNALED(status)
+                             ? WTERMSIG(status)
+                             : WEXITSTATUS(status) - first_signal;
+      if (const int asked = SignalGuard::stop_signal(); asked != 0)
+        return Stopped(asked).what();
+      return ended_by > 0 ? "ended by signal " + std::to_string(ended_by)
+                          : last_line(text);
     }
 
     /// Lines that begin with two spaces: the first paragraphs that a screen has
@@ -98,12 +114,14 @@ namespace io
     Log::instance().status("drawing the " + what);
     const std::string program =
       shell_word(plot_program()) + " " + picture_command;
-    const auto [printed, works] = output_of(program + " " + shell_word(folder));
+    const auto [printed, status] =
+      output_of(program + " " + shell_word(folder));
+    const bool works = status == 0;
     for (const std::string &line : answer_of(printed))
       show_line(line);
     show_line(works ? what + " in " + folder + "/" + where
                     : "WARNING: no " + what + ": " + program +
-                        " failed: " + last_line(printed));
+                        " failed: " + failure_of(printed, status));
     return works;
   }
 } // namespace io

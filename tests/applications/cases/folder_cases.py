@@ -429,6 +429,38 @@ def folder_no_report(case):
             "the next start made no report")
 
 
+def folder_stop_in_drawing(case):
+    """A signal that ends the drawing of report or pictures is named as the cause,
+    with its exit code. All else is there: --resume of a scene makes the report,
+    and whatever draws pictures alone is finished."""
+    is_scene = case.options.application.endswith("scene")
+    for asked in (signal.SIGINT, signal.SIGTERM, signal.SIGUSR1):
+        output = case.folder("run" if is_scene else f"run_{int(asked)}")
+        # Python reads it in place of the library. All processes of the run get
+        # the signal, as from a terminal or mpirun.
+        with open(case.folder("matplotlib.py"), "w", encoding="utf-8") as file:
+            file.write(f"import os\nos.killpg(0, {int(asked)})\n")
+        os.environ["PYTHONPATH"] = os.path.abspath(case.folder(""))
+        process = case.start(output, ["--resume"] if is_scene else (),
+                             preexec_fn=os.setsid)
+        out, err = process.communicate()
+        del os.environ["PYTHONPATH"]
+        require(process.returncode == 128 + asked and err == "",
+                f"{asked!r} gave {process.returncode}: {out[-999:]}{err[-999:]}")
+        why = f"asked to stop by {asked.name}"
+        for told in (out, read_bytes(output, "log.txt").decode()):
+            require(re.search(f"^WARNING: no .*failed: {why}$", told, re.M),
+                    f"it does not say '{why}': {told}")
+        status = manifest(output)["status"]
+        require(status == ("stopped" if is_scene else "finished"),
+                f"the folder is {status}")
+    if is_scene:
+        require("--resume makes it" in out, f"it does not say how to go on: {out}")
+        case.run(output, ["--resume"])
+        require(os.path.exists(os.path.join(output, "report.html")),
+                "--resume made no report")
+
+
 def folder_ranks(case):
     """A checkpoint of another number of ranks goes on where it stood, one of
     another precision is refused in one line and stays as it is. --argument is
@@ -572,5 +604,6 @@ def flip_byte(path):
 KINDS = {kind.__name__: kind for kind in
          (folder_finished, folder_foreign, folder_lock, folder_begins,
           folder_signals, folder_signals_in_forecast, folder_read_only,
-          folder_cache, folder_default, folder_no_report, folder_ranks,
-          folder_ranks_fail, folder_stages)}
+          folder_cache, folder_default, folder_no_report,
+          folder_stop_in_drawing, folder_ranks, folder_ranks_fail,
+          folder_stages)}

@@ -6,6 +6,7 @@ way, see self_test.py."""
 import glob
 import json
 import os
+import re
 import shutil
 import signal
 import sys
@@ -160,6 +161,17 @@ def draw_report():
         write("report.html", "")
         return
     why = "WARNING: no report: plot.py failed"
+    with open(library, encoding="utf-8") as file:
+        killed = re.search(r"killpg\(0, (\d+)", file.read())
+    if killed:
+        asked = signal.Signals(int(killed[1]))
+        if flaw != "mute":
+            why += f": asked to stop by {asked.name}"
+        print(why + "\n--resume makes it")
+        write("log.txt", why)
+        write_manifest("stopped" if "scene" in application else "finished")
+        unlock()
+        sys.exit(3 if flaw == "content" else 128 + asked)
     if flaw != "mute":
         why += ": ValueError: no pictures today"
     print(why)

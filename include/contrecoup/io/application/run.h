@@ -46,7 +46,8 @@ namespace io
     /// Where more than a few steps were halved.
     void warn_of_retries() const;
     void summarise(const std::string &status, const std::string &message);
-    void draw_pictures() const;
+    /// Returns false on the first rank if they could not be drawn.
+    bool draw_pictures() const;
 
     const CommandLine &command_;
     const ApplicationDescription &description_;

@@ -15,8 +15,8 @@ namespace io
 
   /**
    * Runs applications/plot/plot.py on an output folder, and logs where its
-   * pictures are, or that it failed, with the last line of its errors: failure
-   * does not affect results. For one rank.
+   * pictures are, or that it failed, with the last line of its errors or the
+   * signal: failure does not affect results. For one rank.
    * @param picture_command command of plot.py, e.g. "run", called with @p
    *   folder
    * @param what the command draws, e.g. "pictures"
