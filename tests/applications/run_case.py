@@ -367,6 +367,11 @@ def refusal(case):
     expect_refusal(case, output, extra=case.options.argument)
     if os.path.exists(output):
         raise Failed(f"{output} was written: {os.listdir(output)}")
+    if os.path.basename(case.options.application) == "scene" \
+            and not case.options.argument:
+        _, out, err = case.run(output, extra=["--estimate"], codes=(0, 1))
+        if out and err:
+            raise Failed(f"--estimate answers before it refuses: {out}")
 
 
 def refusals(case):
