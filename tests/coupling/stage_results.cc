@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/coupling/scene/afterburn_items.h>
 #include <contrecoup/coupling/scene/coarser_run.h>
 #include <contrecoup/coupling/scene/scene_plan.h>
 #include <contrecoup/coupling/scene/stage_results.h>
@@ -253,6 +254,40 @@ TEST(ScenePlan, TellsWhatAfterburnThatIsLeftOutWouldAdd)
       EXPECT_NEAR(rise(0.), rise(usual), 1e-12) << name;
     }
   }
+}
+
+
+// Its oxygen is known of no explosive with values of the user's own.
+TEST(ScenePlan, TellsNoAfterburnOfLikeAsThatOfTheUsersExplosive)
+{
+  SceneParameters scene = small_scene();
+  scene.explosive = find_explosive("anfo");
+  scene.has_usual_afterburn = true;
+  const auto planned = [&](const char *const item) {
+    return item_of(scene_plan(scene, box_layout(scene), {}, 2., false), item);
+  };
+  EXPECT_EQ(planned("afterburn").decision, "left out, by explosive");
+  EXPECT_EQ(planned("afterburn_peak").value, 0.);
+  scene.custom_entries = {{"Like", "anfo"}, {"Energy density", "4e9"}};
+  EXPECT_EQ(planned("afterburn").decision,
+            "left out by the values of anfo (Like); it is unknown for this "
+            "explosive");
+  for (const char *const item : {"afterburn_peak", "afterburn_impulse"})
+    EXPECT_TRUE(std::isnan(planned(item).value)) << item;
+  // ANFO burns with 2.67 MJ/kg.
+  EXPECT_EQ(warn_of_energy(scene), "");
+  scene.explosive.jwl.energy_density = 4e9;
+  EXPECT_NE(warn_of_energy(scene).find(
+              "4.3 MJ/kg, exceeds the heat of combustion, 2.67 MJ/kg, which is "
+              "that of anfo (Like)"),
+            std::string::npos)
+    << warn_of_energy(scene);
+  scene.afterburn = 1e6;
+  scene.explosive.afterburn.largest = 2e6;
+  EXPECT_EQ(planned("afterburn").decision,
+            "1 of at most 2 MJ/kg by the heat of combustion of anfo (Like), "
+            "Miller's rate, by Like");
+  EXPECT_GT(planned("afterburn_peak").value, 0.);
 }
 
 

@@ -445,14 +445,17 @@ def _afterburn(scene):
     if known == [0., 0.]:
         return ["The run has no afterburn: the explosive's own oxygen burns "
                 "it."]
-    energy = re.match(r"[\d.e+-]+(?= of at most ([\d.e+-]+) MJ/kg)",
-                      rows["afterburn"].get("decision") or "")
+    decision = rows["afterburn"].get("decision") or ""
+    if decision.startswith("left out by the values of "):
+        return [f"Afterburn is {decision}."]
+    energy = re.match(r"[\d.e+-]+(?= of at most ([\d.e+-]+) MJ/kg"
+                      r"( by [^,]+)?)", decision)
     effects = page.joined(
         f"the incident {word} by at most {page.percent(rise)}"
         for rise, word in zip(known, ("peak", "impulse")) if rise is not None)
     text = "The run leaves out afterburn" if energy is None else (
         f"The run assumes {energy[0]} MJ/kg of afterburn "
-        f"(at most {energy[1]} MJ/kg is possible)")
+        f"(at most {energy[1]} MJ/kg is possible{energy[2] or ''})")
     if effects:
         text += f", which {'would raise' if energy is None else 'raises'} " \
             + effects

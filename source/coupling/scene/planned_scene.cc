@@ -8,6 +8,7 @@
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/base/system/version.h>
 #include <contrecoup/coupling/application/anatomy_parameters.h>
+#include <contrecoup/coupling/scene/afterburn_items.h>
 #include <contrecoup/coupling/scene/first_answer.h>
 #include <contrecoup/coupling/scene/planned_scene.h>
 #include <contrecoup/geometry/body/body_layer.h>
@@ -211,6 +212,9 @@ void PlannedScene::print(const bool with_plan) const
                          "the domain, is too near for the wave in the open");
   for (const std::string &line : io::plan_lines(plan_))
     details.push_back(line);
+  const std::string energy = warn_of_energy(parameters_);
+  if (!energy.empty())
+    details.push_back(energy);
   for (const std::string &line : details)
     with_plan ? show_line(line) : log_line(line);
 }

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/system/text.h>
+#include <contrecoup/coupling/scene/afterburn_items.h>
 #include <contrecoup/coupling/scene/model_bias.h>
 #include <contrecoup/coupling/scene/scene_plan.h>
 #include <contrecoup/coupling/scene/stage_results.h>
@@ -109,65 +110,6 @@ namespace
             "Scene/Symmetry"};
   }
 
-  /// This energy of afterburn [J/kg] over that of detonation.
-  double afterburn_share(const SceneParameters &scene, const double energy)
-  {
-    const JwlParameters &jwl = scene.explosive.jwl;
-    return energy * jwl.reference_density / jwl.energy_density;
-  }
-
-  /// Item about the energy that the products release in air.
-  Assumption afterburn(const SceneParameters &scene)
-  {
-    const Explosive &explosive = scene.explosive;
-    const std::string decision =
-      scene.afterburn > 0. ? brief(1e-6 * scene.afterburn, 3) + " of at most " +
-                               brief(1e-6 * explosive.afterburn.largest, 2) +
-                               " MJ/kg, Miller's rate"
-                           : "left out";
-    return {"afterburn",
-            decision + (scene.has_usual_afterburn ? ", by explosive" : ""),
-            "energy of afterburn over that of detonation",
-            "-",
-            afterburn_share(scene, scene.afterburn),
-            unknown,
-            false,
-            "Charge/Afterburn energy"};
-  }
-
-  /// Item about what afterburn does to @p quantity at the body: its rise by
-  /// the tables of Kingery and Bulmash if all of the energy came with the
-  /// detonation, the largest possible; left out: that of the explosive.
-  Assumption afterburn_effect(const SceneParameters &scene,
-                              const SceneLayout &layout,
-                              const BlastQuantity quantity)
-  {
-    const IncidentWave without = layout.incident_wave(scene);
-    SceneParameters larger = scene;
-    larger.mass *= 1. + afterburn_share(scene,
-                                        scene.afterburn > 0.
-                                          ? scene.afterburn
-                                          : scene.explosive.afterburn.energy);
-    const IncidentWave with = layout.incident_wave(larger);
-    const double distance = layout.distance;
-    const double rise =
-      without.is_tabulated(quantity, distance) &&
-          with.is_tabulated(quantity, distance)
-        ? with.value(quantity, distance) / without.value(quantity, distance) -
-            1.
-        : unknown;
-    const std::string what =
-      quantity == BlastQuantity::impulse ? "impulse" : "peak";
-    return {"afterburn_" + what,
-            scene.afterburn > 0. ? "in the loads" : "left out",
-            "largest rise of the incident " + what + " by afterburn",
-            "-",
-            rise,
-            unknown,
-            false,
-            "Charge/Afterburn energy"};
-  }
-
   /// Item about the lung's law under the blast wave: the pressure of air that
   /// is compressed grows beyond all bounds, that of a constant bulk modulus
   /// does not, so that the load crushes elements.
@@ -260,15 +202,16 @@ namespace
   {
     const ModelBias known =
       model_bias(scene, layout.distance, layout.is_surface_burst);
-    return {symmetry(layout),
-            afterburn(scene),
-            afterburn_effect(scene, layout, BlastQuantity::overpressure),
-            afterburn_effect(scene, layout, BlastQuantity::impulse),
-            resolution(scene, layout, known_phase(scene, layout)),
-            body_cells(layout),
-            bias("peak", known.peak, known.gap),
-            bias("impulse", known.impulse, known.gap),
-            bias("duration", known.duration, known.gap)};
+    std::vector<Assumption> items = afterburn_items(scene, layout);
+    items.insert(items.begin(), symmetry(layout));
+    for (const Assumption &item :
+         {resolution(scene, layout, known_phase(scene, layout)),
+          body_cells(layout),
+          bias("peak", known.peak, known.gap),
+          bias("impulse", known.impulse, known.gap),
+          bias("duration", known.duration, known.gap)})
+      items.push_back(item);
+    return items;
   }
 
   /// The same with what a run measured: neither the rise by afterburn nor the
