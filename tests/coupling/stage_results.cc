@@ -291,6 +291,34 @@ TEST(ScenePlan, TellsNoAfterburnOfLikeAsThatOfTheUsersExplosive)
 }
 
 
+// What is longer than the phase that is expected has later waves, as of
+// reflections, and tells nothing of the cells in the first.
+TEST(SceneAudit, MeasuresCellsInAPhaseWithoutLaterWavesAlone)
+{
+  const SceneParameters scene = small_scene();
+  const SceneLayout layout = box_layout(scene);
+  ASSERT_TRUE(layout.probe.has_value());
+  const auto plan = scene_plan(scene, layout, {}, 2., false);
+  const double expected = item_of(plan, "resolution").value;
+  const io::TemporaryFolder folder;
+  std::filesystem::create_directories(folder.path() + "/blast");
+  for (const double part : {0.8, 1.2})
+  {
+    std::ofstream(folder.path() + "/blast/summary.json")
+      << R"({"results": {"probe_1_duration": {"value": )"
+      << part * layout.positive_phase << R"(, "unit": "s"}}})";
+    const Assumption found =
+      item_of(scene_audit(scene, layout, plan, folder.path()), "resolution");
+    if (part < 1.)
+      EXPECT_NEAR(found.value, part * expected, 1e-5 * expected);
+    else
+      EXPECT_TRUE(std::isnan(found.value)) << found.value;
+    EXPECT_EQ(found.quantity.find("not measured") != std::string::npos,
+              part > 1.);
+  }
+}
+
+
 // Whether one factor keeps the impulse is decided once, for both runs.
 TEST(CoarserRun, CorrectsTheImpulseAsTheSceneDoes)
 {

@@ -220,15 +220,20 @@ namespace
                                           const SceneLayout &layout,
                                           const std::string &folder)
   {
-    double duration =
-      layout.probe ? stage_result(folder, "probe_1_duration") : unknown;
-    // Reflections lengthen the phase at the probe, not that of the front.
-    if (known_phase(scene, layout) < duration)
-      duration = known_phase(scene, layout);
+    const double duration =
+      layout.probe ? stage_result(folder + "/blast", "probe_1_duration")
+                   : unknown;
+    // Later waves lengthen the phase at the probe, not that of the front.
+    const bool has_later_waves = known_phase(scene, layout) < duration;
     std::vector<Assumption> items = items_of_charge(scene, layout);
     for (Assumption &item : items)
       if (item.name == "resolution")
-        item = resolution(scene, layout, duration);
+      {
+        item = resolution(scene, layout, has_later_waves ? unknown : duration);
+        if (has_later_waves)
+          item.quantity +=
+            ", not measured: that at the probe is longer, as by later waves";
+      }
       else if ((item.name.rfind("afterburn_", 0) == 0 &&
                 scene.afterburn > 0.) ||
                item.name.rfind("model_bias_", 0) == 0)
@@ -401,8 +406,7 @@ std::vector<Assumption> scene_audit(const SceneParameters &scene,
                                     const std::vector<Assumption> &plan,
                                     const std::string &folder)
 {
-  std::vector<Assumption> items =
-    found_of_charge(scene, layout, folder + "/blast");
+  std::vector<Assumption> items = found_of_charge(scene, layout, folder);
   for (const Assumption &item : plan)
     if (item.name.rfind("side_", 0) == 0)
       items.push_back(item);
