@@ -319,6 +319,32 @@ TEST(SceneAudit, MeasuresCellsInAPhaseWithoutLaterWavesAlone)
 }
 
 
+TEST(SceneAudit, ComparesTheSkinInTheGasWithThatOfTheBody)
+{
+  const SceneParameters scene = small_scene();
+  const SceneLayout layout = box_layout(scene);
+  const auto plan = scene_plan(scene, layout, {}, 2., false);
+  const io::TemporaryFolder folder;
+  const auto audit = [&]() {
+    return item_of(scene_audit(scene, layout, plan, folder.path()), "skin");
+  };
+  EXPECT_TRUE(std::isnan(item_of(plan, "skin").value));
+  EXPECT_TRUE(std::isnan(audit().value));
+  for (const char *const stage : {"/anatomy", "/blast"})
+    std::filesystem::create_directories(folder.path() + stage);
+  std::ofstream(folder.path() + "/anatomy/summary.json")
+    << R"({"surface_area": 1.56})";
+  for (const auto &[area, is_missing] : {std::pair{1.09, true}, {1.5, false}})
+  {
+    std::ofstream(folder.path() + "/blast/summary.json")
+      << R"({"checks": {"loads_skin_area": {"value": )" << area
+      << R"(, "unit": "m^2"}}})";
+    EXPECT_NEAR(audit().value, area / 1.56, 1e-12);
+    EXPECT_EQ(audit().fails(), is_missing);
+  }
+}
+
+
 // Whether one factor keeps the impulse is decided once, for both runs.
 TEST(CoarserRun, CorrectsTheImpulseAsTheSceneDoes)
 {

@@ -111,6 +111,18 @@ double stage_check(const std::string &folder, const std::string &name)
 }
 
 
+double skin_area(const std::string &folder)
+{
+  const io::Json summary =
+    io::read_json(folder + "/summary.json", io::formats::summary);
+  const std::string name = "surface_area";
+  return summary.is_object() && summary.contains(name) &&
+             summary[name].is_number()
+           ? summary[name].get<double>()
+           : not_measured;
+}
+
+
 double largest_trunk_peak(const std::string &folder)
 {
   const io::Json results = group_in(folder, "results");

@@ -13,6 +13,7 @@
 #include <contrecoup/gas/record/gauge_tables.h>
 #include <contrecoup/gas/record/load_gauges.h>
 #include <contrecoup/gas/record/record_gaps.h>
+#include <contrecoup/gas/record/thin_parts.h>
 #include <contrecoup/io/file/checked_file.h>
 #include <contrecoup/io/output/history_reader.h>
 #include <contrecoup/numerics/injury/load_injury.h>
@@ -175,6 +176,14 @@ void LoadGauges::parse_parameters(dealii::ParameterHandler &prm,
                        " m, is outside of the domain");
     add_place(given.name, *place, body);
   }
+  std::vector<Landmark> on_body;
+  for (const Place &place : places_)
+    on_body.push_back({place.name, place.point});
+  const std::string warning =
+    warn_of_thin_parts(body, on_body, std::sqrt(dim) * cell);
+  // Trial runs have coarser cells.
+  if (body.is_required() && !warning.empty())
+    log_line(warning);
   records_.assign(places_.size(), {});
 }
 

@@ -7,9 +7,28 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace contrecoup::gas
 {
+namespace
+{
+  /// Area of the whole body's skin.
+  /// @param geometry of the facets, see WallFacets::geometry()
+  /// @param to_whole see factors_to_whole_body()
+  double skin_area(const std::vector<double> &geometry,
+                   const dealii::Tensor<1, 3> &to_whole)
+  {
+    double sum = 0.;
+    for (std::size_t i = 3; i < geometry.size(); i += WallFacets<3>::n_geometry)
+      sum += std::hypot(geometry[i], geometry[i + 1], geometry[i + 2]);
+    // Three planes of symmetry leave no factor of a direction.
+    const double factor = std::max({to_whole[0], to_whole[1], to_whole[2]});
+    return (factor > 0. ? factor : 8.) * sum;
+  }
+} // namespace
+
+
 template <int dim>
 void WallLoads<dim>::write_measures()
 {
@@ -69,15 +88,20 @@ std::vector<NamedValue> WallLoads<dim>::check_values() const
   const auto relative = [](const double part, const double whole) {
     return whole > 0. ? part / whole : 0.;
   };
-  return {{"loads_facets", "-", double(facets_.n_global())},
-          {"loads_impulse_difference",
-           "-",
-           relative((totals_.facet_impulse - totals_.gas_impulse).norm(),
-                    totals_.gas_impulse.norm())},
-          {"loads_force_difference",
-           "-",
-           relative(totals_.largest_difference, totals_.largest_force)},
-          {"loads_sampled_peak_loss", "-", totals_.peak_loss}};
+  std::vector<NamedValue> values = {
+    {"loads_facets", "-", double(facets_.n_global())},
+    {"loads_impulse_difference",
+     "-",
+     relative((totals_.facet_impulse - totals_.gas_impulse).norm(),
+              totals_.gas_impulse.norm())},
+    {"loads_force_difference",
+     "-",
+     relative(totals_.largest_difference, totals_.largest_force)},
+    {"loads_sampled_peak_loss", "-", totals_.peak_loss}};
+  if (dim == 3)
+    values.push_back(
+      {"loads_skin_area", "m^2", skin_area(facets_.geometry(), to_whole_)});
+  return values;
 }
 
 

@@ -397,3 +397,24 @@ TEST(LoadGauges, TextThatNamesNoPlaceIsRefused)
     std::string::npos);
   EXPECT_EQ(refusal("a: 0, 0, 0.0005; "), "");
 }
+
+
+// Cells of 20 mm may have no corner in a plate that is thinner than their
+// diagonal, 34.6 mm.
+TEST(LoadGauges, WarnOfPartsThatCellsMayLose)
+{
+  for (const auto &[thickness, is_warned] :
+       {std::pair{"0.001", true}, {"0.034", true}, {"0.036", false}})
+    for (const std::string required : {"true", "false"})
+    {
+      testing::internal::CaptureStdout();
+      make_gauges({std::string("Body/Shape/Size=1, 1, ") + thickness,
+                   "Rigid body/Required=" + required,
+                   "Loads/Gauges=top: 0, 0, 0.02; edge: 0.5, 0, 0"});
+      const std::string log = testing::internal::GetCapturedStdout();
+      EXPECT_EQ(log.find("below top it is thinner than the diagonal of a cell, "
+                         "34.6 mm") != std::string::npos,
+                is_warned && required == "true")
+        << thickness << ": " << log;
+    }
+}

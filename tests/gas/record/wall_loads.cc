@@ -118,6 +118,16 @@ TEST(WallLoads, OverpressuresAfterEachStepMakeTheImpulse)
 }
 
 
+// A quarter of a sphere of radius 0.5 counts four times.
+TEST(WallLoads, KnowTheAreaOfTheWholeSkin)
+{
+  GasSimulation<3> blast(MPI_COMM_WORLD);
+  set_up(blast);
+  const double sphere = dealii::numbers::PI;
+  EXPECT_NEAR(value_of(blast.checks(), "loads_skin_area"), sphere, 0.05);
+}
+
+
 TEST(WallLoads, KnowNothingWhereNoBlastHasCome)
 {
   const io::TemporaryFolder folder;

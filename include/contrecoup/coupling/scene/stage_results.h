@@ -15,6 +15,9 @@ double stage_result(const std::string &folder, const std::string &name);
 /// The same among its checks.
 double stage_check(const std::string &folder, const std::string &name);
 
+/// Area of the skin of the body that anatomy has meshed [m^2].
+double skin_area(const std::string &folder);
+
 /// Largest overpressure at the gauges of the trunk [Pa].
 double largest_trunk_peak(const std::string &folder);
 

@@ -90,7 +90,7 @@ public:
   {
     return active_ ? result_values() : std::vector<NamedValue>();
   }
-  /// Number of facets; differences between facets, gas and record.
+  /// Number and area of facets; differences between facets, gas and record.
   std::vector<NamedValue>
   checks(const GasSnapshot<dim> & /*gas*/) const override
   {
