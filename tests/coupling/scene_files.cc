@@ -110,36 +110,6 @@ TEST(SceneFiles, RecordsOfANewerFormatAreRefused)
   EXPECT_THROW(files.read_record(false), InputError);
 }
 
-// The report reads the probes of the scene by their numbers.
-TEST(SceneFiles, ProbesOfTheUserFollowThoseOfTheScene)
-{
-  const auto points = [](const std::string &section, const std::string &place) {
-    Assignment assignment;
-    assignment.sections = {"Probes"};
-    if (!section.empty())
-      assignment.sections.insert(assignment.sections.begin(), section);
-    assignment.entry = "Points";
-    assignment.value = place;
-    return assignment;
-  };
-  const auto taken = [&](const std::string &own) {
-    return task_text(
-             "Blast",
-             {points("", own)},
-             dealii::ParameterHandler(),
-             {points("Blast", "4, 5, 6"), points("Biomechanics", "7, 8, 9")},
-             [](dealii::ParameterHandler &prm) {
-               prm.enter_subsection("Probes");
-               prm.declare_entry("Points", "");
-               prm.leave_subsection();
-             })
-      .values.at("Probes/Points");
-  };
-  EXPECT_EQ(taken("1, 2, 3"), "1, 2, 3; 4, 5, 6");
-  EXPECT_EQ(taken(""), "4, 5, 6");
-}
-
-
 TEST(SceneFiles, LimitsOfLeavesThatBeginAfterTheEndAreLeftOut)
 {
   SceneParameters scene = scene_with(10., 1.);

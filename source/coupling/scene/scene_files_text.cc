@@ -81,8 +81,16 @@ namespace
         "biomechanics/parameters.prm and Loads/Recorded/File");
   }
 
-  /// Entries of the user with another value than @p before, or in a subsection
-  /// that the user adds, such as a support.
+  /// Whether the scene takes the user's value for its own, see OwnGrid.
+  bool takes_from_user(const std::string &stage, const std::string &path)
+  {
+    return stage == "Blast" &&
+           (path == "Domain/Lower corner" || path == "Domain/Upper corner" ||
+            path == "Domain/Coarse leaves");
+  }
+
+  /// Entries of the user with another value than @p before, in a subsection
+  /// that the user adds, such as a support, or that the scene takes.
   /// @throws InputError for those that the scene alone may determine
   std::vector<ChangedEntry>
   find_changes(const std::string &stage,
@@ -98,11 +106,13 @@ namespace
       const std::string path = path_of(assignment);
       const auto old = before.find(path), now = after.find(path);
       const bool is_added = old == before.end();
-      if (now == after.end() ||
-          (!is_added && is_same(old->second, now->second)))
+      const bool is_kept =
+        now != after.end() && !is_added && is_same(old->second, now->second);
+      if (now == after.end() || (is_kept && !takes_from_user(stage, path)))
         continue;
       require_of_scene(stage, path, assignment);
-      const std::string otherwise = is_added              ? "not set"
+      const std::string otherwise = is_kept    ? "chosen by the scene"
+                                    : is_added ? "not set"
                                     : old->second.empty() ? "empty"
                                                           : old->second;
       if (const std::string owner = owner_of(path, entries); !owner.empty())
