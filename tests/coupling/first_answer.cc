@@ -21,14 +21,17 @@ std::vector<std::string> answer_for(const double mass,
                                     const bool has_usual_afterburn = true,
                                     const double height = 1.,
                                     const bool has_ground = true,
-                                    const double x = 2.15)
+                                    const double x = 2.15,
+                                    const double end_time = 0.01,
+                                    const std::string &question = "injury")
 {
   SceneParameters scene;
+  scene.question = question;
   scene.accuracy = SceneParameters::accuracies[0];
   scene.explosive = find_explosive("tnt");
   scene.mass = mass;
   scene.place = Point<3>(x, 0., height);
-  scene.end_time = 0.01;
+  scene.end_time = end_time;
   scene.symmetry = "none";
   scene.has_usual_afterburn = has_usual_afterburn;
   const RoundedBox body(Point<3>(0., 0., 0.9), Point<3>(0.15, 0.25, 0.9), 0.05);
@@ -114,6 +117,26 @@ TEST(FirstAnswer, HasNoReflectionOfTheGroundBehindTheBody)
   EXPECT_FALSE(has_words(beside, hidden));
   EXPECT_TRUE(has_words(beside, "which comes after the wave"));
   EXPECT_TRUE(has_words(answer_for(1.), "where it has merged with the wave"));
+}
+
+
+// From 2.5 m above the ground its reflection takes some 5 ms.
+TEST(FirstAnswer, LeavesOutNothingThatARunDoesNotHave)
+{
+  const auto answer = [](const double end_time, const std::string &question) {
+    return answer_for(1., true, 2.5, true, 2.15, end_time, question);
+  };
+  EXPECT_TRUE(has_words(answer(0.01, "injury"),
+                        "reflection by the ground, which comes after the wave, "
+                        "shape and tissues of the body; a run has them"));
+  EXPECT_TRUE(has_words(answer(0.003, "injury"),
+                        "left out: shape and tissues of the body; a run has "
+                        "them"));
+  EXPECT_TRUE(has_words(answer(0.01, "loads"),
+                        "comes after the wave, shape of the body; a run has "
+                        "them"));
+  EXPECT_TRUE(has_words(answer(0.003, "loads"),
+                        "left out: shape of the body; a run has it"));
 }
 
 

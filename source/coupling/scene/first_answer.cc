@@ -6,6 +6,7 @@
 #include <contrecoup/coupling/scene/model_bias.h>
 #include <contrecoup/numerics/injury/blast_injury.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace contrecoup::coupling
@@ -72,6 +73,24 @@ namespace
            rise(BlastQuantity::overpressure) + " to the peak and " +
            rise(BlastQuantity::impulse) + " to the impulse)";
   }
+
+  /// What tables alone leave out and a run has.
+  std::string left_out_in_words(const SceneParameters &scene,
+                                const SceneLayout &layout,
+                                const std::string &walls)
+  {
+    std::vector<std::string> parts;
+    if (!layout.is_surface_burst && layout.has_ground() &&
+        sees_reflection(scene, layout, 2, 0.))
+      parts.push_back(ground_in_words(scene, layout));
+    if (!walls.empty())
+      parts.push_back("reflection by " + walls);
+    parts.emplace_back(scene.wants_injury()
+                         ? "shape and tissues of the body; a run has them"
+                       : parts.empty() ? "shape of the body; a run has it"
+                                       : "shape of the body; a run has them");
+    return "  left out: " + join(parts, ", ");
+  }
 } // namespace
 
 
@@ -135,6 +154,21 @@ std::string unknown_beforehand()
 }
 
 
+bool sees_reflection(const SceneParameters &scene,
+                     const SceneLayout &layout,
+                     const unsigned int direction,
+                     const double place)
+{
+  dealii::Point<3> image = layout.charge, nearest;
+  image[direction] = 2. * place - image[direction];
+  for (unsigned int d = 0; d < 3; ++d)
+    nearest[d] = std::clamp(
+      image[d], layout.body.lower_bound(d), layout.body.upper_bound(d));
+  return !(layout.incident_wave(scene).value(
+             BlastQuantity::arrival, image.distance(nearest)) > scene.end_time);
+}
+
+
 std::vector<std::string> first_answer(const SceneParameters &scene,
                                       const SceneLayout &layout,
                                       const double body_mass,
@@ -145,12 +179,7 @@ std::vector<std::string> first_answer(const SceneParameters &scene,
     brief(scene.mass) + " kg of " + scene.explosive.title;
   const std::string where = " at " + brief(layout.distance) + " m";
   const auto answer = table_answer(scene, layout, body_mass);
-  std::vector<std::string> left_out;
-  if (!layout.is_surface_burst && layout.has_ground())
-    left_out.push_back(ground_in_words(scene, layout));
-  if (!walls.empty())
-    left_out.push_back("reflection by " + walls);
-  left_out.emplace_back("shape and tissues of the body; a run has them");
+  const std::string left_out = left_out_in_words(scene, layout, walls);
   if (!answer)
   {
     const IncidentWave wave = layout.incident_wave(scene);
@@ -165,7 +194,7 @@ std::vector<std::string> first_answer(const SceneParameters &scene,
                  : "the tables, continued by a point source") +
               ": peak " + kilopascal(layout.overpressure) + ", arrival " +
               brief(1e3 * layout.arrival, 3) + " ms",
-            "  left out: " + join(left_out, ", ")};
+            left_out};
   }
   const std::string equivalence = equivalence_in_words(scene.explosive);
   const ModelBias bias =
@@ -185,7 +214,7 @@ std::vector<std::string> first_answer(const SceneParameters &scene,
       "incident", "in the open", brief(body_mass, 3), answer->in_the_open),
     effect_line(
       "reflected", "before a wall", brief(body_mass, 3), answer->before_a_wall),
-    "  left out: " + join(left_out, ", ")};
+    left_out};
   if (!layout.is_far(scene))
     lines.push_back("  " + unknown_beforehand());
   lines.push_back(

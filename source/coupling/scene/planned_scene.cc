@@ -307,7 +307,9 @@ std::vector<std::string> PlannedScene::first_answer() const
 {
   std::vector<std::string> walls;
   for (const ChosenSide &side : sides_)
-    if (side.kind == "wall")
+    if (side.kind == "wall" &&
+        sees_reflection(
+          parameters_, *layout_, side.direction, side.place(*layout_)))
       walls.push_back("the " + side.in_words(*layout_) + " (" + side.entry() +
                       ")");
   auto lines = coupling::first_answer(parameters_,
