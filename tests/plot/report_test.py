@@ -1047,7 +1047,7 @@ class ReportTest(unittest.TestCase):
                 loads=lambda: None, fact=lambda name: None,
                 biomechanics=types.SimpleNamespace(found=lambda *_: None),
                 facts={}, measures=dict, gauge_injury=dict,
-                table_answer=lambda *_: (0.5, 0.9)
+                table_answer=lambda name, *_: (0.5, 0.9)
                 if name == "eardrum_rupture" else (None, None))
             found = verdict.verdicts(scene, [injury_table.Judged(
                 place, value, "-", known, None, "", curve="given",
