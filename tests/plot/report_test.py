@@ -1826,6 +1826,16 @@ class ReportTest(unittest.TestCase):
                           for part in (head, ~head)] + [area.sum()])
         np.testing.assert_allclose(areas, [areas[0]] * len(areas), 1e-4)
 
+    def test_whole_body_is_no_top(self):
+        """A head alone is drawn whole, as shape or mesh of unknown kind."""
+        for kind, height, words in (
+                ("shape", 0.15, "body"), ("shape", 1.7, "top of the body"),
+                ("mesh", 0.25, "body"), ("image", 0.25, "head"),
+                ("phantom", 1.7, "head")):
+            self.assertEqual(body_sections._top(
+                types.SimpleNamespace(facts={"body": kind}),
+                types.SimpleNamespace(height=height)), words)
+
     def test_unfinished_stage(self):
         """How far it has come stands at the sections that show it; a stage that
         the scene has not asked for is not shown."""

@@ -83,7 +83,7 @@ def waves(scene):
                     f"through {tissues}, with one colour scale for all "
                     "times.")]
     if head is not None:
-        top = _top(scene)
+        top = _top(scene, frame)
         parts.append(page.figure(
             head, f"The {top} cut along its middle, coloured by the "
             f"pressure after {times}.",
@@ -129,10 +129,11 @@ def _tissues_at(scene, pieces, place, axes):
                        for number in np.unique(numbers))
 
 
-def _top(scene):
-    """What the top of a body with a brain is called."""
-    return "head" if scene.facts.get("body") not in ("shape", "mesh") \
-        else "top of the body"
+def _top(scene, frame):
+    """What is drawn of a body with a brain, in words."""
+    if scene.facts.get("body") not in ("shape", "mesh"):
+        return "head"
+    return "top of the body" if frame.height > body_cuts.HEAD else "body"
 
 
 def _peaks(scene, frame, has_head):
@@ -149,7 +150,7 @@ def _peaks(scene, frame, has_head):
     if not found:
         return []
     averaged = scene.biomechanics.parameters.get("Peaks/Pressure") == "averaged"
-    body = _top(scene) if has_head else "body"
+    body = _top(scene, frame) if has_head else "body"
     return [page.figure(
         _draw_peaks(found, has_head),
         f"The {body} cut along its middle, coloured by "
