@@ -497,12 +497,14 @@ def check_tables(page, files):
 def _without_tables(text, files):
     """The answer without what it tells of the tables' probabilities, which are
     those of scene.json."""
-    answer = files.scene.get("tables", {}).get("answer")
+    tables = files.scene.get("tables", {})
+    answer = tables.get("answer")
+    ears = tables.get("ears") or answer
     told = re.search(r"[,;] by the tables ([^()]*?)(?:| to ([^()]*?)) ?%(?=\))", text)
     if told and told[2]:
         for shown, place in zip(told.groups(), ("in_the_open",
                                                 "before_a_wall")):
-            require_same(shown + " %", answer[place]["eardrum_rupture"],
+            require_same(shown + " %", ears[place]["eardrum_rupture"],
                          "eardrums by the tables")
     text = re.sub(r"[,;] by the tables [^()]*?%(?=\))", "", text)
     told = re.search(r"; death by lung injury by the tables: ([^()]*?%)(?=\))", text)
