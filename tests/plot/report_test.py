@@ -1618,9 +1618,10 @@ class ReportTest(unittest.TestCase):
             "73 %)", "eardrums not judged (≥ 1.0 %, by the "
             "tables 95 %); lungs not judged (the run ends too early)",
             "≥ 1.20 m/s", "≥ 0.100", "not judged: the run ends too early",
-            "The run ends too early: rupture probability of the left eardrum, "
-            "mean chest wall velocity, chest load over the 50 % lethality load "
-            "and probability of death by lung injury are lower limits; a later Scene/End time gives all of it")
+            "The run ends too early, after 6 ms: rupture probability of the left "
+            "eardrum, mean chest wall velocity, chest load over the 50 % "
+            "lethality load and probability of death by lung injury are lower "
+            "limits; a later Scene/End time gives all of it")
         folder = self.cut_off(*mild)
         Made(folder)
         with open(os.path.join(folder, "report.json"),

@@ -163,8 +163,8 @@ def answer(run, judged):
                     + ("." if hic.is_open else
                        f", {hic.reached()}." if hic.meaning() or hic.is_own
                        else ", below all limits."))
-    text += injury_table.cut_off(judged, "Time/End time")
     end = float(run.history["time"][-1])
+    text += injury_table.cut_off(judged, "Time/End time", end)
     return page.tag(
         "div", page.paragraph(" ".join(text)), page.paragraph(
             f"The run ends after {page.milliseconds(end)}. Largest and least "

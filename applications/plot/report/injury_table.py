@@ -159,11 +159,12 @@ class Judged:
                    for bound in bounds)
 
 
-def cut_off(judged, entry):
-    """Which measures that could be judged the end of the run makes lower
-    limits, and the @p entry that helps."""
+def cut_off(judged, entry, end):
+    """Which measures that could be judged the end of the run [s], or None, makes
+    lower limits, and the @p entry that helps."""
     cut = [one.short_title() for one in judged if one.is_cut and one.thresholds]
-    return [f"The run ends too early: {page.joined(cut)} "
+    after = "" if end is None else f", after {page.given(1e3 * end, 'ms')}"
+    return [f"The run ends too early{after}: {page.joined(cut)} "
             + ("are lower limits" if len(cut) > 1 else "is a lower limit")
             + f"; a later {entry} gives all of it."] if cut else []
 
