@@ -1621,7 +1621,8 @@ class ReportTest(unittest.TestCase):
             "The run ends too early, after 6 ms: rupture probability of the left "
             "eardrum, mean chest wall velocity, chest load over the 50 % "
             "lethality load and probability of death by lung injury are lower "
-            "limits; a later Scene/End time gives all of it")
+            "limits, and later extremes of other measures are unknown; a "
+            "later Scene/End time gives all of it")
         folder = self.cut_off(*mild)
         Made(folder)
         with open(os.path.join(folder, "report.json"),

@@ -154,7 +154,7 @@ def answer(run, judged):
             if strain.is_own and not strain.is_open else
             f"{page.number(100. * strain.value)}\u00a0%"
             + (f", which means: {strain.meaning()}" if strain.meaning()
-               else "")) + (" up to the end of the run, and more and more"
+               else "")) + (" up to the end of the run, where strains still grow"
                             if strain.is_cut else "") + ".")
     hic = injury_table.find(judged, "injury_hic15")
     if hic is not None:

@@ -287,10 +287,10 @@ def _certainty(scene, judged):
         why = injury_table.why_by_the_skin(scene)
         parts.append(f"{why[:1].upper()}{why[1:]}: death by lung injury follows "
                      "from the reflected load on the skin.")
-    parts += injury_table.cut_off(judged, "Scene/End time",
-                                  scene.fact("end_time"))
     parts += _walls(scene, judged)
     parts += _tables(scene, judged) + _verdicts(scene, judged)
+    parts += injury_table.cut_off(judged, "Scene/End time",
+                                  scene.fact("end_time"))
     parts += _afterburn(scene) + _model_bias(scene)
     parts += _loads(scene) + EnergyAudit(scene).reservations() + _limits(scene)
     parts += _ground(scene)

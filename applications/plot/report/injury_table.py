@@ -115,7 +115,7 @@ class Judged:
         if self.error is None:
             return ""
         if not self.value and not self.coarser:
-            return f"{self.shown()} in the coarser run, too"
+            return f"{self.shown(self.value)} in the coarser run, too"
         if not self.value and self.of is None:
             return f"up to {self.shown(self.bounds()[1])}"
         return page.interval(*self.bounds()) if self.is_fraction \
@@ -166,7 +166,8 @@ def cut_off(judged, entry, end):
     after = "" if end is None else f", after {page.given(1e3 * end, 'ms')}"
     return [f"The run ends too early{after}: {page.joined(cut)} "
             + ("are lower limits" if len(cut) > 1 else "is a lower limit")
-            + f"; a later {entry} gives all of it."] if cut else []
+            + ", and later extremes of other measures are unknown; a later "
+            f"{entry} gives all of it."] if cut else []
 
 
 def judge(scene):

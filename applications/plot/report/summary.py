@@ -73,7 +73,8 @@ def _measure(entry):
             "thresholds": [{"value": limit, "meaning": meaning}
                            for limit, meaning in entry.thresholds],
             "verdict": entry.meaning(), "severity":
-            injury_table.severity(entry), "is_certain": entry.is_certain(),
+            injury_table.severity(entry), "is_certain":
+            None if entry.is_open else entry.is_certain(),
             "probabilities": [{"event": event, "value": value,
                                **_bounds(bounds)}
                               for event, value, bounds in entry.chances()],

@@ -66,12 +66,13 @@ std::vector<std::string> answer_lines(const std::vector<NamedValue> &results,
   if (values.count("injury_intracranial_pressure_peak") > 0)
     lines.push_back(pressure_line(values, pressures));
   if (values.count("injury_strain_95") > 0)
-    lines.push_back("95 % of the brain is strained by at most " +
-                    brief(100. * values.at("injury_strain_95"), 3) + " %" +
-                    (values.count("injury_strain_95_cut_off") == 0
-                       ? ""
-                       : " up to the end of the run, and more and more: a "
-                         "later Time/End time tells"));
+    lines.push_back(
+      "95 % of the brain is strained by at most " +
+      brief(100. * values.at("injury_strain_95"), 3) + " %" +
+      (values.count("injury_strain_95_cut_off") == 0
+         ? ""
+         : " up to the end of the run, where strains still grow: a "
+           "later Time/End time tells"));
   if (values.count("injury_hic15") > 0)
     lines.push_back("HIC15 " +
                     std::string(values.count("injury_hic15_cut_off") == 0

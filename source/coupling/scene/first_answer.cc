@@ -187,7 +187,7 @@ std::vector<std::string> first_answer(const SceneParameters &scene,
     return {"no first answer: the tables of Kingery and Bulmash do not cover " +
               what + where + ", but " +
               (nearest > layout.distance ? "no less" : "no more") + " than " +
-              brief(nearest, 3) + " m",
+              brief(nearest, 4) + " m",
             std::string("  incident wave of ") +
               (wave.is_tabulated(BlastQuantity::overpressure, layout.distance)
                  ? "the tables"

@@ -250,7 +250,8 @@ namespace
         item = resolution(scene, layout, has_later_waves ? unknown : duration);
         if (has_later_waves)
           item.quantity +=
-            ", not measured: that at the probe is longer, as by later waves";
+            ", not measured: that at the probe is longer than expected, and may "
+            "be of several waves";
       }
       else if (item.name == "skin")
         item.value = stage_check(folder + "/blast", "loads_skin_area") /

@@ -42,9 +42,9 @@ std::string warn_of_thin_parts(const RigidBody &body,
       thin.push_back(place.name);
   return thin.empty()
            ? ""
-           : "WARNING: parts of the body may be missing in the gas: below " +
+           : "WARNING: parts of the body may be missing in the gas: at " +
                join(thin, ", ") +
-               " it is thinner than the diagonal of a cell, " +
+               " the body is thinner than the diagonal of a cell, " +
                brief(1e3 * diagonal, 3) + " mm";
 }
 } // namespace contrecoup::gas
