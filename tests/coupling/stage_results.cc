@@ -270,7 +270,7 @@ TEST(ScenePlan, TellsNoAfterburnOfLikeAsThatOfTheUsersExplosive)
   EXPECT_EQ(planned("afterburn_peak").value, 0.);
   scene.custom_entries = {{"Like", "anfo"}, {"Energy density", "4e9"}};
   EXPECT_EQ(planned("afterburn").decision,
-            "left out by the values of anfo (Like); it is unknown for this "
+            "left out by the values of ANFO (Like); it is unknown for this "
             "explosive");
   for (const char *const item : {"afterburn_peak", "afterburn_impulse"})
     EXPECT_TRUE(std::isnan(planned(item).value)) << item;
@@ -279,13 +279,13 @@ TEST(ScenePlan, TellsNoAfterburnOfLikeAsThatOfTheUsersExplosive)
   scene.explosive.jwl.energy_density = 4e9;
   EXPECT_NE(warn_of_energy(scene).find(
               "4.3 MJ/kg, exceeds the heat of combustion, 2.67 MJ/kg, which is "
-              "that of anfo (Like)"),
+              "that of ANFO (Like)"),
             std::string::npos)
     << warn_of_energy(scene);
   scene.afterburn = 1e6;
   scene.explosive.afterburn.largest = 2e6;
   EXPECT_EQ(planned("afterburn").decision,
-            "1 of at most 2 MJ/kg by the heat of combustion of anfo (Like), "
+            "1 of at most 2 MJ/kg by the heat of combustion of ANFO (Like), "
             "Miller's rate, by Like");
   EXPECT_GT(planned("afterburn_peak").value, 0.);
 }

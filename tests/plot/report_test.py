@@ -1435,16 +1435,16 @@ class ReportTest(unittest.TestCase):
         self.assertEqual(headline._afterburn(scene), [
             "The run has no afterburn: the explosive's own oxygen burns it."])
         # Of the user's own explosive the oxygen is unknown.
-        row["decision"] = ("left out by the values of anfo (Like); it is "
+        row["decision"] = ("left out by the values of ANFO (Like); it is "
                            "unknown for this explosive")
         for effect in rows[1:]:
             effect["estimate"] = "unknown"
         self.assertEqual(headline._afterburn(scene),
                          [f"Afterburn is {row['decision']}."])
         row["decision"] = ("1 of at most 2 MJ/kg by the heat of combustion of "
-                           "anfo (Like), Miller's rate, by Like")
+                           "ANFO (Like), Miller's rate, by Like")
         self.assertIn("(at most 2 MJ/kg is possible by the heat of combustion "
-                      "of anfo (Like))", headline._afterburn(scene)[0])
+                      "of ANFO (Like))", headline._afterburn(scene)[0])
 
     def test_ground_far_below(self):
         """Its reflection comes after the positive phase: the body alone adds

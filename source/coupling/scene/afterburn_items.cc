@@ -26,7 +26,8 @@ namespace
   std::string owner_of_combustion(const SceneParameters &scene)
   {
     return scene.custom_entries.size() > 1
-             ? scene.custom_entries.front().second + " (Like)"
+             ? find_explosive(scene.custom_entries.front().second).title +
+                 " (Like)"
              : "";
   }
 

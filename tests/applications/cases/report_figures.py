@@ -425,6 +425,7 @@ def check_headline(page, files):
     is left over."""
     text = re.sub(re.escape(files.scene["explosive_title"]), "", page.answer,
                   flags=re.I)
+    text = re.sub(r"(combustion|values) of .*? \(Like\)", r"\1", text)
     number, rows = report_reader.NUMBER, expected_injuries(files)
     wanted = [
         (rf"({number} \w*) of  ?(?=,|detonates)", files.scene["charge_mass"]),
