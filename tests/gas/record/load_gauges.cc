@@ -412,9 +412,10 @@ TEST(LoadGauges, WarnOfPartsThatCellsMayLose)
                    "Rigid body/Required=" + required,
                    "Loads/Gauges=top: 0, 0, 0.02; edge: 0.5, 0, 0"});
       const std::string log = testing::internal::GetCapturedStdout();
-      EXPECT_EQ(log.find("at top the body is thinner than the diagonal of a cell, "
-                         "34.6 mm") != std::string::npos,
-                is_warned && required == "true")
+      EXPECT_EQ(
+        log.find("at top the body is thinner than the diagonal of a cell, "
+                 "34.6 mm") != std::string::npos,
+        is_warned && required == "true")
         << thickness << ": " << log;
     }
 }
