@@ -281,8 +281,8 @@ std::string to_markdown(const StudyParameters &parameters,
         }))
     out << "\nretried: " << retried_in_words << ".\n";
   if (result.n_cut_off() > 0)
-    out << "\n≥: a lower limit, as the run ends before the positive phase or "
-           "the contact does.\n";
+    out << "\n≥: a lower limit, as the run ends before a positive phase, a "
+           "contact or a strain does.\n";
   const std::string failed = failures(result);
   if (!failed.empty())
     out << "\nNot finished, " << result.n_unfinished() << " of "

@@ -72,7 +72,7 @@ std::vector<std::string> answer_lines(const std::vector<NamedValue> &results,
       (values.count("injury_strain_95_cut_off") == 0
          ? ""
          : " up to the end of the run, where strains still grow: a "
-           "later Time/End time tells"));
+           "later Time/End time gives all of it"));
   if (values.count("injury_hic15") > 0)
     lines.push_back("HIC15 " +
                     std::string(values.count("injury_hic15_cut_off") == 0

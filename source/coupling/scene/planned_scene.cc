@@ -240,12 +240,13 @@ PlannedScene::nearest_gauge(const std::vector<std::string> &parts) const
   const auto distance = [&](const Landmark &landmark) {
     return landmark.place.distance(layout_->charge);
   };
-  // "back" is no "lower back", and "left ear" is an "ear".
+  // "left ear" is an "ear", "rear" is none.
   const auto is_asked_for = [&](const std::string &name) {
     const auto is_name = [&](const std::string &part) {
-      const std::string ending = " " + part;
-      return name == part || (name.size() > ending.size() &&
-                              name.find(ending) == name.size() - ending.size());
+      const std::string ending = " " + part, words = " " + name;
+      return words.size() >= ending.size() &&
+             words.compare(
+               words.size() - ending.size(), ending.size(), ending) == 0;
     };
     return parts.empty() || std::any_of(parts.begin(), parts.end(), is_name);
   };

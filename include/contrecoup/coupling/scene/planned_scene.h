@@ -62,8 +62,8 @@ public:
     return *layout_;
   }
 
-  /// The gauge on the skin that is nearest to the charge, of those whose name
-  /// ends with one of @p parts, or of all; nothing of a body without such.
+  /// The gauge on the skin that is nearest to the charge, of those whose last
+  /// words are one of @p parts, or of all; nothing of a body without such.
   std::optional<Landmark>
   nearest_gauge(const std::vector<std::string> &parts = {}) const;
 
