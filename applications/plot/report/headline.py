@@ -186,6 +186,11 @@ def _compared(scene):
             cells[0] = "≥ " + cells[0]
         if compared and least is not None and name == "duration":
             cells[0] += f", least {page.milliseconds(least)}"
+        if compared and least is not None and name == "lung_exposure":
+            # As of an error, what is left is of the least load.
+            cells[0] += ", least " + page.number(
+                least_phases.part_of_load(scene, least_phases.PROBE)
+                * row["run"] * (1. - (row.get("run_error") or 0.)))
         wall = row.get("before_a_wall", scene.table_answer(name)[1])
         if is_chance and wall is not None:
             cells[-1] += f" ({page.chance(wall)} before a wall)"
@@ -382,11 +387,12 @@ def _tables(scene, judged):
             f"the load on the lung{_at_trunk(scene)} is {page.number(known)}, "
             f"{sides[0]} the {meaning} of {load.shown_limit(limit)}, where this "
             f"run has {load.shown()}, {sides[1]} it")
-    ears = verdict.other_ears(scene, judged)
-    if ears is not None:
-        chances.append(f"the {ears[0].short_title()} is "
-                       f"{page.chance(ears[1])} at its distance, where this "
-                       f"run has {ears[0].shown()}")
+    ear = verdict.other_ears(judged)
+    if ear is not None:
+        low, high = map(ear.shown, ear.tables)
+        chances.append(f"the {ear.short_title()} is {low} in the open"
+                       + (f" and {high} before a wall" if high != low else "")
+                       + f" at its distance, where this run has {ear.shown()}")
     if chances:
         parts.append("By the tables, " + page.joined(chances) + ".")
     return [" ".join(parts)] if parts else []

@@ -3,13 +3,13 @@
 """Measures of injury with their errors, thresholds and verdicts."""
 
 import math
-import re
 
 from plot.analysis import person
 from plot.readers import stage
 from plot.report import (error_estimate, injury_thresholds, least_phases,
                          load_impulses, page)
 from plot.report.injury_thresholds import Known
+from plot.report.judged import Judged
 
 # Names of the measures of gauge_injury.csv; of chest and back, and of an upper
 # arm that is turned to the charge, the side with the larger load is shown.
@@ -39,124 +39,6 @@ GROUPS = (("Ears", ("ear_",)),
           ("Chest and lungs", ("chest_", "injury_chest", "injury_lung",
                                "injury_adjusted_severity", "lung_")),
           ("Brain and head", ("injury_",)))
-
-
-class Judged:
-    """A measure beside its thresholds. Its error is relative; that of a
-    probability is of the measure @p of which follows it by a @p curve. One that
-    the end of the run cuts off is a lower limit. Finer cells may leave a
-    @p least_part of one that goes by the positive phase."""
-
-    def __init__(self, name, value, unit, known, error, error_of,
-                 coarser=None, curve="", of=None, is_cut=False, least_part=1.):
-        self.name, self.value, self.unit = name, value, unit
-        self.title, self.thresholds = known.title, known.thresholds
-        self.source, self.limits = known.source, known.limits
-        self.is_own = known.is_own
-        self.coarser, self.error, self.error_of = coarser, error, error_of
-        self.curve, self.of, self.is_cut = curve, of, is_cut
-        self.least_part = least_part
-        self.is_fraction = bool(curve) or self.title.startswith("fraction ")
-        # A lower limit that exceeds no threshold yet says nothing.
-        self.is_open = is_cut and not self.exceeded()
-        self.has_verdict = bool(self.thresholds) and not known.is_exposure \
-            and not self.is_open
-
-    def short_title(self):
-        """The abbreviation, or the title without its brackets."""
-        match = re.search(r"\(([A-Z]\w+)\)$", self.title)
-        return match[1] if match else self.title.partition(" (")[0]
-
-    def bounds(self, curve=""):
-        """Least and largest value by the numerics, of the probability of a
-        curve by this measure; None if no error is known."""
-        if self.error is None:
-            return None
-        value = self.value if self.of is None else self.of
-        spread = abs(value) * self.error if value else self.coarser_spread()
-        ends = [self.least_part * (value - spread), value + spread]
-        if curve or self.curve:
-            return tuple(injury_thresholds.probability(curve or self.curve,
-                                                       end) for end in ends)
-        # No measure changes its sign: all begin at zero.
-        low, high = (0. if self.value >= 0. else -math.inf,
-                     0. if self.value < 0. else
-                     1. if self.is_fraction else math.inf)
-        return tuple(sorted(min(max(end, low), high) for end in ends))
-
-    def coarser_spread(self):
-        """Absolute error of a value of zero: the value of the coarser run, which
-        lies farther off."""
-        return abs(self.coarser or 0.)
-
-    def chances(self):
-        """Events by this measure, their probabilities and the bounds of
-        these."""
-        for curve, event in injury_thresholds.CURVES.get(self.name, ()):
-            yield (event, injury_thresholds.probability(curve, self.value),
-                   self.bounds(curve))
-
-    def shown(self, value=None):
-        """The value of this run, or another one, in words."""
-        is_limit = value is None and self.is_cut
-        value = self.value if value is None else value
-        if self.is_fraction:
-            return page.least_chance(value) if is_limit else page.chance(value)
-        return ("≥ " if is_limit else "") + page.quantity(value, self.unit)
-
-    def shown_limit(self, limit):
-        """A threshold in words."""
-        return page.plain(100. * limit, "%") if self.is_fraction \
-            else page.plain(limit, self.unit)
-
-    def shown_error(self):
-        """The numerical error in words: of what lies between 0 and 1 the
-        bounds, of anything else the error of the value; "" if unknown."""
-        if self.error is None:
-            return ""
-        if not self.value and not self.coarser:
-            return f"{self.shown(self.value)} in the coarser run, too"
-        if not self.value and self.of is None:
-            return f"up to {self.shown(self.bounds()[1])}"
-        return page.interval(*self.bounds()) if self.is_fraction \
-            else page.error(self.error) + (
-                "" if self.least_part == 1. else
-                f", least {self.shown(self.bounds()[0])}")
-
-    def exceeded(self, value=None):
-        """Number of thresholds that a value, or this one's, exceeds."""
-        value = self.value if value is None else value
-        return sum(value < limit if limit < 0. else value > limit
-                   for limit, _ in self.thresholds)
-
-    def meaning(self, value=None):
-        """What the worst exceeded threshold means, "" below all."""
-        count = self.exceeded(value)
-        return self.thresholds[count - 1][1] if count else ""
-
-    def compared(self, value=None):
-        """Beside which of the user's own thresholds a value, or this one's,
-        is: the worst exceeded one, or the first."""
-        count = self.exceeded(value)
-        limit, meaning = self.thresholds[max(count, 1) - 1]
-        side = "above" if (count > 0) != (limit < 0.) else "below"
-        return f"{side} {self.shown_limit(limit)} ({meaning})"
-
-    def reached(self):
-        """The worst exceeded threshold after the name of the measure."""
-        meaning = self.meaning()
-        return self.compared() if self.is_own else f"above the {meaning}" \
-            if meaning.startswith(("limit", "threshold")) \
-            else f"as for {meaning}"
-
-    def is_certain(self):
-        """Whether the estimated error leaves the verdict as it is; None if no
-        error is known."""
-        if self.error is None:
-            return None
-        bounds = self.bounds()[:1] if self.is_cut else self.bounds()
-        return all(self.exceeded(bound) == self.exceeded()
-                   for bound in bounds)
 
 
 def cut_off(judged, entry, end):
@@ -212,7 +94,39 @@ def judge(scene):
                              other, curve if of is not None else "", of,
                              measure.is_cut, least_part))
     _share_errors(judged)
+    ask_tables(scene, judged)
     return judged
+
+
+def ask_tables(scene, judged):
+    """Gives eardrums and lungs what the tables have at their distance, where no
+    bounds of their kind reach that."""
+    ears = [entry for entry in judged if entry.name.startswith("ear_rupture_")]
+    answers = [(ears, ears_of_tables(scene, ears))] if ears else []
+    load = "lung_exposure_air" if lungs_by(scene) == "probe" else \
+        SKIN_NAMES["lung_exposure", loaded_side(scene)]
+    for name, key in (("lung_lethality",) * 2, ("lung_exposure", load)):
+        entry = find(judged, key)
+        if entry is not None:
+            answers.append(([entry], lungs_of_tables(scene, name)))
+    for entries, known in answers:
+        bounds = [entry.bounds() or 2 * (entry.value,) for entry in entries]
+        if None in known or any(high >= known[0] and low <= known[1]
+                                for low, high in bounds):
+            continue
+        for entry in entries:
+            entry.tables = known
+
+
+def ears_of_tables(scene, ears):
+    """What the tables have of eardrums in the open and before a wall, at the
+    distance of the nearer ear; None each where that is unknown."""
+    known = scene.table_answer("eardrum_rupture", "ears")
+    if None in known:  # as of a scene before 0.2.0
+        places = [entry.name.removeprefix("ear_rupture_") for entry in ears]
+        known = (None, None) if are_far(scene, places) \
+            else scene.table_answer("eardrum_rupture")
+    return known
 
 
 def _at_least(error, least):
@@ -470,6 +384,8 @@ def _verdict(entry):
     certain = entry.is_certain()
     note = "" if certain is None else "; the error does not change this" \
         if certain else "; a threshold lies within the error"
+    if entry.other_by_tables() is not None:
+        note += "; " + entry.shown_tables()
     return page.Html(page.tag("span", word, kind=severity(entry))
                      + page.escape(note)
                      + "".join(page.tag("small", "; " + words)
@@ -477,9 +393,11 @@ def _verdict(entry):
 
 
 def severity(entry):
-    """Good below all thresholds, bad above all, else mid; none of what has no
-    verdict."""
+    """Good below all thresholds, by the tables, bad above all, else mid;
+    none of what has no verdict."""
     count = entry.exceeded()
+    if count == 0 and entry.other_by_tables() is not None:
+        return "mid"
     return "none" if not entry.has_verdict else "good" if count == 0 else \
         "bad" if count == len(entry.thresholds) else "mid"
 

@@ -70,6 +70,7 @@ def _measure(entry):
             "value": _number(entry.value), "unit": entry.unit,
             "is_lower_limit": entry.is_cut,
             **_bounds(entry.bounds()), "coarser": _number(entry.coarser),
+            "tables": None if entry.tables is None else list(entry.tables),
             "thresholds": [{"value": limit, "meaning": meaning}
                            for limit, meaning in entry.thresholds],
             "verdict": entry.meaning(), "severity":

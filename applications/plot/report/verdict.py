@@ -53,7 +53,7 @@ def with_detail(words, detail):
 
 def verdicts(scene, judged):
     """All that the scene allows, in the order of the sentence."""
-    return [found for found in (_life(scene, judged), _ears(scene, judged),
+    return [found for found in (_life(scene, judged), _ears(judged),
                                 _by_tables(scene, judged, _lungs(judged)),
                                 _held(scene) or _brain(judged)) if found]
 
@@ -157,56 +157,37 @@ def _death_by_tables(scene):
         else page.interval(low, high)
 
 
-def ears_of_tables(scene, ears):
-    """What the tables say of eardrums in the open and before a wall, at the
-    distance of the nearer ear, where the bounds of no ear reach that; else
-    None."""
-    known = scene.table_answer("eardrum_rupture", "ears")
-    if None in known:  # as of a scene before 0.2.0
-        known = scene.table_answer("eardrum_rupture")
-        places = [entry.name.removeprefix("ear_rupture_") for entry in ears]
-        if None in known or injury_table.are_far(scene, places):
-            return None
-    return None if any(
-        bound[1] >= known[0] and bound[0] <= known[1]
-        for bound in (entry.bounds() or 2 * (entry.value,)
-                      for entry in ears)) else known
+def other_ears(judged):
+    """The eardrum that is likeliest to rupture, where the tables have another
+    verdict at its distance; else None."""
+    worst = max((entry for entry in judged if entry.name.startswith("ear_")),
+                default=None, key=lambda entry: entry.value)
+    return None if worst is None or worst.other_by_tables() is None else worst
 
 
-def other_ears(scene, judged):
-    """The eardrum that is likeliest to rupture, and the nearest probability of
-    the tables at the same distance, where that is another verdict; else
-    None."""
-    ears = [entry for entry in judged if entry.name.startswith("ear_")]
-    known = ears_of_tables(scene, ears) if ears else None
-    if known is None:
-        return None
-    worst = max(ears, key=lambda entry: entry.value)
-    nearest = min(max(worst.value, known[0]), known[1])
-    return None if worst.exceeded() == worst.exceeded(nearest) \
-        else (worst, nearest)
-
-
-def _ears(scene, judged):
+def _ears(judged):
     """One verdict, or one for each ear where these differ."""
     ears = [entry for entry in judged if entry.name.startswith("ear_")]
     if not ears:
         return None
     worst = max(ears, key=lambda entry: entry.value)
-    kind, known = injury_table.severity(worst), ears_of_tables(scene, ears)
-    tables = f", by the tables {page.interval(*known)}" if known else ""
-    if kind == "good" and other_ears(scene, judged) is not None:
-        kind = "mid"
-    words = [_word(EARS, entry, entry.value) for entry in ears]
+    kind = injury_table.severity(worst)
+    by_run = "" if other_ears(ears) is None else " by this run"
+    tables = f", {worst.shown_tables()}" if worst.tables else ""
+    # The worse answer of run and tables is told.
+    words = [_word(EARS, entry, max(entry.value,
+                                    entry.other_by_tables() or 0.))
+             for entry in ears]
     whose = "rupture of " if worst.is_own else ""
     sides = [entry.name[len("ear_rupture_"):].split()[0] for entry in ears]
     if len(ears) > 1 and len(set(words)) > 1:
         parts = [with_detail(
             f"{whose}{side} eardrum{_singular(word)}",
-            f"{entry.shown()}{_by_the_numerics(entry)}{tables}")
+            f"{entry.shown()}{by_run}{_by_the_numerics(entry)}{tables}")
                  for side, word, entry in zip(sides, words, ears)]
         return Verdict("eardrums", ", ".join(parts), kind, "", worst, ears)
-    figures = [entry.shown() + _by_the_numerics(entry) for entry in ears]
+    figures = [entry.shown() + by_run + _by_the_numerics(entry)
+               for entry in ears]
     told = figures[0] if len(set(figures)) == 1 else "; ".join(
         f"{side} {figure}" for side, figure in zip(sides, figures))
     return Verdict("eardrums", f"{whose}eardrums{words[0]}", kind,
