@@ -11,7 +11,7 @@ from plot.readers.scene import COARSER
 from plot.report import (error_estimate, injury_table, least_phases,
                          load_impulses, page, reflections, unfinished, verdict)
 from plot.report.energy_audit import EnergyAudit
-from plot.report.injury_thresholds import KNOWN, of_run
+from plot.report.injury_thresholds import KNOWN, of_run, probability
 
 LARGE_LOAD_DIFFERENCE = 0.02  # of impulses on skin and elements
 # Of items of the audit, for readers who do not know the plan.
@@ -192,8 +192,9 @@ def _compared(scene):
                 least_phases.part_of_load(scene, least_phases.PROBE)
                 * row["run"] * (1. - (row.get("run_error") or 0.)))
         wall = row.get("before_a_wall", scene.table_answer(name)[1])
-        if is_chance and wall is not None:
-            cells[-1] += f" ({page.chance(wall)} before a wall)"
+        if wall is not None and name in (*CHANCES, *LUNGS):
+            told = page.chance if is_chance else page.number
+            cells[-1] += f" ({told(wall)} before a wall)"
         if row.get("differs"):
             cells[-1] = page.tag("span", cells[-1], kind="mid")
         rows.append((_title(row), *cells))
@@ -203,6 +204,8 @@ def _compared(scene):
 def _title(row):
     """What a row compares, and where unless that is the place of the table."""
     name, place = str(row.get("name")), row.get("place") or PROBE
+    if name == "lung_exposure" and place != PROBE:
+        return f"load over the 50\u00a0% lethality load at the {place}"
     return COMPARED.get(name, name.replace("_", " ")) \
         + ("" if place == PROBE else f" at the {place}")
 
@@ -220,14 +223,32 @@ def _comparison_file(scene):
 
 
 def _rows(scene):
-    """Of table_comparison, without the lungs where these are farther from the
-    charge; where no probe has the wave, after the answer of the tables."""
+    """Of table_comparison, with the lungs at the trunk where that is farther from
+    the charge; where no probe has the wave, after the answer of the tables."""
     rows = scene.list_of("table_comparison")
     if not rows or _gauge(scene):
         return _answer_rows(scene) + rows
-    return [row for row in rows if not (
-        str(row.get("name")).startswith("lung_")
-        and injury_table.is_trunk_far(scene))]
+    if not injury_table.is_trunk_far(scene):
+        return rows
+    return [row for row in rows
+            if not str(row.get("name")).startswith("lung_")] \
+        + _trunk_rows(scene)
+
+
+def _trunk_rows(scene):
+    """Rows as those of table_comparison, of the lungs by the load on the skin of
+    the trunk and by the tables at its distance."""
+    load = scene.gauge_injury().get(
+        ("lung_exposure", injury_table.loaded_side(scene)))
+    run = None if load is None or load.is_cut else load.value
+    rows = []
+    for name, value in (("lung_exposure", run), (
+            "lung_lethality", None if run is None else
+            probability("lung_lethality", run))):
+        known, wall = scene.table_answer_at_trunk(name)
+        rows.append({"name": name, "place": "trunk", "unit": "-", "run": value,
+                     "tables": known, "before_a_wall": wall})
+    return [row for row in rows if row["tables"] is not None]
 
 
 def _gauge(scene):
@@ -379,13 +400,13 @@ def _tables(scene, judged):
                else "this difference."))
     other = verdict.other_lungs(scene, judged)
     if other is not None and not disagrees:
-        load, known = other
+        load, known, place = other
         limit, meaning = load.thresholds[0]
         sides = ("above", "below") if load.exceeded(known) else \
             ("below", "above")
         chances.append(
-            f"the load on the lung{_at_trunk(scene)} is {page.number(known)}, "
-            f"{sides[0]} the {meaning} of {load.shown_limit(limit)}, where this "
+            f"the load on the lung{_at_trunk(scene)} is {page.number(known)}"
+            f"{place}, {sides[0]} the {meaning} of {load.shown_limit(limit)}, where this "
             f"run has {load.shown()}, {sides[1]} it")
     ear = verdict.other_ears(judged)
     if ear is not None:

@@ -384,8 +384,7 @@ def _verdict(entry):
     certain = entry.is_certain()
     note = "" if certain is None else "; the error does not change this" \
         if certain else "; a threshold lies within the error"
-    if entry.other_by_tables() is not None:
-        note += "; " + entry.shown_tables()
+    note += entry.tables and "; " + entry.shown_tables() or ""
     return page.Html(page.tag("span", word, kind=severity(entry))
                      + page.escape(note)
                      + "".join(page.tag("small", "; " + words)

@@ -270,9 +270,10 @@ def _own_lungs(entry):
 
 
 def other_lungs(scene, judged):
-    """The load that tells whether lungs are injured, and the nearest one of the
-    tables at the same distance, where only one of them is above the first
-    threshold and makes the verdict another one; else None."""
+    """The load that tells whether lungs are injured, one of the tables at the
+    same distance and its place in words, where only one of both is above the
+    first threshold and makes the verdict another one: the nearest of the tables,
+    or one of those that are all beyond the bounds of the run; else None."""
     lungs = _lungs(judged)
     if lungs is None or lungs.words not in (SOUND, POSSIBLE):
         return None
@@ -281,9 +282,13 @@ def other_lungs(scene, judged):
     known = injury_table.lungs_of_tables(scene, "lung_exposure")
     if None in (load, *known):
         return None
-    nearest = min(max(load.value, known[0]), known[1])
-    return None if bool(load.exceeded()) == bool(load.exceeded(nearest)) \
-        else (load, nearest)
+    low, high = load.bounds() or 2 * (load.value,)
+    asked = {min(max(load.value, known[0]), known[1]): ""}
+    if high < known[0] or low > known[1]:
+        asked.update(zip(known, ("", "") if known[0] == known[1] else
+                         (" in the open", " before a wall")))
+    return next(((load, value, place) for value, place in asked.items()
+                 if bool(load.exceeded(value)) != bool(load.exceeded())), None)
 
 
 def _by_tables(scene, judged, lungs):
@@ -294,7 +299,7 @@ def _by_tables(scene, judged, lungs):
     told = POSSIBLE if lungs.words == SOUND else SOUND
     return Verdict(lungs.subject, lungs.words, "mid", "; ".join(filter(
         None, (lungs.detail, f"by the tables {told}, load "
-               f"{page.number(found[1])}"))), lungs.entry)
+               f"{page.number(found[1])}{found[2]}"))), lungs.entry)
 
 
 def _held(scene):
