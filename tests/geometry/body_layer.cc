@@ -49,6 +49,20 @@ TEST(BodyLayer, WarnsOfAThicknessOfTheUser)
             Lines{});
 }
 
+TEST(BodyLayer, NamesTheSpinalCordOfASmallPerson)
+{
+  const auto lines = [](const std::string &stature) {
+    return thin_layer_lines(layers_of({"Phantom/Stature=" + stature}),
+                            0.01,
+                            0.01,
+                            "Mesh/Element size");
+  };
+  ASSERT_EQ(lines("1.58").size(), 1U);
+  EXPECT_NE(lines("1.58")[0].find("spinal cord, 9.9 mm (Body/Phantom) are "),
+            std::string::npos);
+  EXPECT_EQ(lines("1.756")[0].find("cord"), std::string::npos);
+}
+
 TEST(BodyLayer, OfASurfaceIsTheFluidOfItsOrgans)
 {
   EXPECT_TRUE(layers_of({"Kind=surface"}).empty());

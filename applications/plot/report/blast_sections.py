@@ -187,7 +187,8 @@ def verdict_figure(scene, verdicts):
            if marks else "") + ".", "Peak overpressure on the skin."
         + (" Marks have the colour of their verdict: green below all "
            "thresholds, red above all, brown between, or where measures or the "
-           "tables differ"
+           "tables differ, grey where the end of the run leaves a part "
+           "unjudged"
            + ("." if all(mark.is_seen for mark in marks) else
               "; hollow ones are behind what is seen.") if marks else ""))
 

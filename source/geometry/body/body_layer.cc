@@ -35,11 +35,13 @@ namespace
   std::vector<BodyLayer> layers_of_phantom(ParameterHandler &prm)
   {
     const Section section(prm, "Phantom");
-    // See phantom::make_brain().
-    constexpr double fluid = 0.0025;
-    const double scaled = fluid * read_double(prm, "Head scale");
+    // See phantom::make_nerves().
+    constexpr double fluid = 0.0025, cord = 0.011, stature = 1.756;
+    const double fluid_here = fluid * read_double(prm, "Head scale"),
+                 cord_here = cord * read_double(prm, "Stature") / stature;
     std::vector<BodyLayer> layers{
-      {"cerebrospinal fluid", scaled, "Body/Phantom", scaled}};
+      {"cerebrospinal fluid", fluid_here, "Body/Phantom", fluid_here},
+      {"spinal cord", cord_here, "Body/Phantom", cord_here}};
     const double skin = read_double(prm, "Skin thickness");
     if (skin > 0.)
       layers.push_back({"skin", skin, "Body/Phantom/Skin thickness"});
