@@ -140,6 +140,42 @@ TEST(FirstAnswer, LeavesOutNothingThatARunDoesNotHave)
 }
 
 
+// A wall close behind the charge adds what the ground adds to a surface burst,
+// one behind the body comes to its back.
+TEST(FirstAnswer, TellsWhatAWallAdds)
+{
+  SceneParameters scene;
+  scene.question = "injury";
+  scene.accuracy = SceneParameters::accuracies[0];
+  scene.explosive = find_explosive("tnt");
+  scene.mass = 1.;
+  scene.place = Point<3>(2.15, 0., 2.);
+  scene.end_time = 0.02;
+  scene.symmetry = "none";
+  OwnGrid own;
+  own.lower = Point<3>(-2.56, -2.56, 0.);
+  own.upper = Point<3>(2.25, 2.56, 2.56);
+  const RoundedBox body(Point<3>(0., 0., 0.9), Point<3>(0.15, 0.25, 0.9), 0.05);
+  const auto lines = first_answer(scene,
+                                  SceneLayout(scene, body, {}, own),
+                                  70.,
+                                  "",
+                                  {{"x high", "wall", 0, true},
+                                   {"x low", "wall", 0, false},
+                                   {"y high", "open", 1, true}});
+  EXPECT_TRUE(has_words(lines,
+                        "reflection by the wall at x = 2.25 m (Blast/Boundaries"
+                        "/x high), which adds some "))
+    << lines[5];
+  EXPECT_NEAR(number_after(lines, "x high., which adds some"), 45., 10.);
+  EXPECT_TRUE(has_words(lines,
+                        "reflection by the wall at x = -2.56 m (Blast/"
+                        "Boundaries/x low), which the body keeps from the "
+                        "nearest skin"));
+  EXPECT_FALSE(has_words(lines, "y high"));
+}
+
+
 // 1 kg of TNT at 2 m, with other afterburn than measured.
 TEST(FirstAnswer, TellsTheBiasOfTheModelOrThatItIsUnknown)
 {

@@ -448,36 +448,53 @@ class ReportTest(unittest.TestCase):
         self.assertEqual(scene.explosive_name(), "c-4")
 
     def test_wave_that_has_merged(self):
-        """Of a low charge, unless the peak is lower than in free air, and of a
-        high one, whose wave comes alone."""
-        alone = "those of the incident wave"
-        for height, peak, words in ((0.15, 1.1, "may have merged"),
-                                    (0.15, 0.9, alone), (3., 1.1, alone)):
-            scene = Scene(self.whole)
-            scene.facts.update(
-                distance=1.46, height=height, charge_place=[1.46, 0., height],
-                table_comparison=[{"name": "peak_overpressure", "run": peak,
-                                   "tables": 1.}])
-            self.assertIn(words, reflections.note(scene))
+        """With reflections by ground and walls: what they add is told, of the
+        probe that they concern, and no later wave is one of them."""
+        def reflection(plane, **changes):
+            return {"place": "probe 1", "by": plane, "least_delay": 0.,
+                    "largest_delay": 9., "merges": True, "peak_rise": 0.584,
+                    "impulse_rise": None, **changes}
+        scene = Scene(self.whole)
+        wall = reflection("wall at x = 3.2 m")
+        for rows, words in (
+                ([], "Peak and arrival at the probe are those of the incident "
+                 "wave; reflections by the body may add"),
+                ([wall], "may have merged with its reflection by the wall at "
+                 "x = 3.2 m, which adds some 58 % to the peak and an unknown "
+                 "part to the impulse and lets it arrive earlier; reflections "
+                 "by the body may add to impulse and duration."),
+                ([reflection("ground"), wall], "by the ground and wall at "
+                 "x = 3.2 m, each of which adds some 58 %"),
+                ([reflection("ground", merges=False), wall],
+                 "reflections by the ground or body may add"),
+                ([wall | {"place": "nearest skin"}],
+                 "those of the incident wave")):
+            scene.facts["reflections"] = rows
+            self.assertIn(words, reflections.note(scene).replace("\xa0", " "))
+        found = scene.blast.found
+        for key in ("", "probe_2_arrival"):
+            scene.blast.found = lambda part, name, key=key: \
+                1. if name == key else found(part, name)
+            self.assertEqual("the first probe" in accuracy._free_air(scene),
+                             bool(key))
 
     def test_later_wave(self):
-        """Is the ground's reflection where it is larger than the incident wave
-        and comes in its time, which then has not merged with it; else one of
-        all that may come. Of peaks, tables are compared with the first one."""
+        """Is the reflection by the plane in whose time it comes, if it is larger
+        than the incident wave; else one of all that may come. Of peaks, tables
+        are compared with the first one."""
         known = {"arrival": 4e-3, "duration": 3e-3, "peak_overpressure": 93e3,
                  "first_peak_overpressure": 79e3,
                  "later_peak_overpressure": 93e3, "later_peak_time": 5.2e-3,
                  "reference_peak_overpressure": 102e3}
 
-        def told(row=1.1, walls=(), **changes):
+        def told(merges=False, ground=0.9e-3, wall=None, **changes):
             scene = Scene(self.whole)
-            scene.facts.update(
-                distance=3., height=1.2, charge_place=[3.1, 0., 1.2],
-                plan=[{"item": "side_" + side, "decision": "wall at"}
-                      for side in walls],
-                table_comparison=[{"name": "peak_overpressure",
-                                   "run": row * 1e5, "tables": 1e5}])
-            scene.probe_place = lambda _: np.array([0.2, 0.6, 1.2])
+            scene.facts["reflections"] = [
+                {"place": "probe 1", "by": plane, "least_delay": least,
+                 "largest_delay": 2.5e-3, "merges": merges}
+                for plane, least in (("ground", ground),
+                                     ("wall at x = 3 m", wall))
+                if least is not None]
             values = known | changes
             scene.blast.found = lambda _, name: values.get(
                 name.removeprefix("probe_1_"))
@@ -491,15 +508,19 @@ class ReportTest(unittest.TestCase):
             "duration and the load on lungs are those of both waves.")
         self.assertIn(">79.0\xa0kPa<", str(accuracy._free_air(scene)))
         for words, changes in (
-                ("may have merged", {"later_peak_overpressure": 50e3}),
-                ("second shock, or a reflection by ground and body.",
-                 {"later_peak_overpressure": 50e3, "row": 0.9}),
-                (": a reflection by ground, body and walls.",
-                 {"walls": ("x_high",), "row": 0.9}),
-                (": a reflection by ground and body.",
-                 {"later_peak_time": 6.8e-3, "row": 0.9}),
-                ("; reflections by ground and body may add to impulse and "
-                 "duration.", {"later_peak_time": 7.2e-3, "row": 0.9})):
+                ("second shock, or a reflection by the body.",
+                 {"later_peak_overpressure": 50e3, "merges": True}),
+                ("second shock, or a reflection by the ground or body.",
+                 {"later_peak_overpressure": 50e3, "wall": 2e-3}),
+                (": the reflection by the ground or wall at x = 3 m.",
+                 {"wall": 1e-3}),
+                (": the reflection by the ground.", {"wall": 2e-3}),
+                (": a reflection by the ground or body.",
+                 {"later_peak_time": 6.8e-3}),
+                ("; reflections by the ground or body may add to impulse and "
+                 "duration.", {"later_peak_time": 7.2e-3}),
+                ("; reflections by the body may add",
+                 {"later_peak_time": 7.2e-3, "ground": 3.1e-3})):
             self.assertIn(words, told(**changes)[0])
 
     def test_phase_that_the_end_cuts(self):
@@ -839,11 +860,11 @@ class ReportTest(unittest.TestCase):
                 probe_beside_body=[0.008, 2.337, height], height=height,
                 charge_place=[2.458, 0., height]))
             scene = Scene(folder)
-            scene.probe_place = lambda _: np.array([0.008, 0., height])
+            scene.facts["reflections"][0]["least_delay"] = 1e-3 * height
             return scene, reflections.explaining(scene), reflections.note(scene)
         scene, explaining, note = told(1.27)
         self.assertEqual(explaining, "reflections or the second wave")
-        self.assertIn("or a reflection by ground and body", note)
+        self.assertIn("or a reflection by the ground or body", note)
         load, death = (injury_table.find(injury_table.judge(scene), name)
                        for name in ("lung_exposure_air", "lung_lethality"))
         part = (1. + 6.76 * 2. ** -1.064) / (1. + 6.76 * 1. ** -1.064)
@@ -1465,44 +1486,6 @@ class ReportTest(unittest.TestCase):
                            "ANFO (Like), Miller's rate, by Like")
         self.assertIn("(at most 2 MJ/kg is possible by the heat of combustion "
                       "of ANFO (Like))", headline._afterburn(scene)[0])
-
-    def test_ground_far_below(self):
-        """Its reflection comes after the positive phase: the body alone adds
-        to that."""
-        for height, words in ((1.27, "ground and body"), (10., "the body")):
-            results = {"probe_1_arrival": 2e-3, "probe_1_duration": 2e-3}
-            scene = types.SimpleNamespace(
-                charge_place=lambda: np.array([2.3, 0., height]),
-                probe_place=lambda _: np.array([0., 0., height]),
-                facts={}, list_of=lambda _: [],
-                blast=types.SimpleNamespace(
-                    found=lambda _, name: results[name]))
-            self.assertEqual(reflections.reflectors(scene), words)
-
-    def test_front_slower_than_its_mean(self):
-        """A reflection that the mean speed of the front until its arrival
-        allows, but not the speed that its peak gives it there."""
-        place = np.array([0., 0., 1.5])
-        for peak, is_late in ((None, False), (400e3, True), (8e6, False)):
-            scene = types.SimpleNamespace(
-                charge_place=lambda: np.array([0.45, 0., 1.5]),
-                list_of=lambda _, peak=peak: [
-                    {"name": "peak_overpressure", "run": peak, "tables": None}])
-            self.assertEqual(reflections.is_late(scene, place, 3e-4, 4e-3),
-                             is_late)
-
-    def test_reflection_in_the_flow_behind_the_front(self):
-        """Is faster than the front: two runs with cells of 40 mm have its peak at
-        these times."""
-        for peak, arrival, time in ((101.6e3, 3.679e-3, 5.233e-3),
-                                    (63.3e3, 4.370e-3, 5.976e-3)):
-            scene = types.SimpleNamespace(
-                charge_place=lambda: np.array([2.99, 0., 1.2]),
-                list_of=lambda _, peak=peak: [
-                    {"name": "peak_overpressure", "run": peak, "tables": None}])
-            place = np.array([0., 0., 1.2])
-            self.assertFalse(reflections.is_late(scene, place, arrival, time))
-            self.assertTrue(reflections.is_late(scene, place, arrival, 1.1 * arrival))
 
     def test_other_items_of_the_answer(self):
         """A longer phase on the skin, a place that no blast has reached,

@@ -127,6 +127,10 @@ def write_scene(folder):
         "table_comparison": [{"place": "probe 1", **dict(zip((
             "name", "unit", "run", "run_error", "tables", "tables_error",
             "differs"), row))} for row in TABLES],
+        "reflections": [
+            {"place": place, "by": "ground", "least_delay": 1.1e-3,
+             "largest_delay": 3.3e-3, "merges": False, "peak_rise": 0.41,
+             "impulse_rise": 0.6} for place in ("probe 1", "nearest skin")],
         "changes": [{"entry": "Materials/Tissue skin/Density",
                      "value": "1200 kg/m^3", "before": "1100 kg/m^3"}],
         "warnings": ["no coarser run of the body"],

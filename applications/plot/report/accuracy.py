@@ -143,7 +143,8 @@ def _free_air(scene):
         rows,
         f"The reference is a bare charge {reflections.place_of_burst(scene)} "
         "(C. N. Kingery, G. Bulmash, ARBRL-TR-02555, 1984). "
-        f"{reflections.note(scene)}",
+        + reflections.note(scene, "the first probe" if scene.blast.found(
+            "results", "probe_2_arrival") is not None else "the probe"),
         numbers=(2, 3, 4))
 
 

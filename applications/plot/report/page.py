@@ -257,10 +257,10 @@ def error(part):
                                 else percent(part)), 100. * part, "%")
 
 
-def joined(words):
+def joined(words, last="and"):
     """Words as a list in a sentence."""
     words = list(words)
-    return " and ".join(filter(None, (", ".join(words[:-1]), *words[-1:])))
+    return f" {last} ".join(filter(None, (", ".join(words[:-1]), *words[-1:])))
 
 
 def count_in_words(value):

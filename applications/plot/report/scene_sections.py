@@ -182,7 +182,7 @@ def _ground_is_late(scene):
     if target is None or end is None:
         return False
     first = scene.loads().first_arrival()
-    return first is not None and reflections.is_late(scene, target, first, end)
+    return first is not None and reflections.is_late(scene, first, end)
 
 
 def _ground_is_hidden(scene):

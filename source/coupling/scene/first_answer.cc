@@ -48,43 +48,39 @@ namespace
   }
 
 
-  /// What the ground may add to the wave of a charge above it: at most, at
-  /// places at which both waves are one, what it adds to a surface burst.
-  std::string ground_in_words(const SceneParameters &scene,
-                              const SceneLayout &layout)
+  /// What a plane may add: at most, at places at which both waves are one, what
+  /// it adds to a surface burst.
+  std::string reflection_in_words(const SceneParameters &scene,
+                                  const SceneLayout &layout,
+                                  const ReflectingPlane &plane)
   {
-    if (!layout.sees_ground_reflection())
-      return "reflection by the ground, which the body keeps from the nearest "
-             "skin";
-    if (layout.charge[2] > layout.distance)
-      return "reflection by the ground, which comes after the wave";
-    const IncidentWave alone = layout.incident_wave(scene);
-    SceneLayout on_ground = layout;
-    on_ground.is_surface_burst = true;
-    const IncidentWave merged = on_ground.incident_wave(scene);
+    const std::string what =
+      "reflection by the " + plane.name +
+      (plane.entry.empty() ? "" : " (" + plane.entry + ")");
+    const dealii::Point<3> &skin = layout.nearest_skin;
+    if ((plane.image(layout.charge) - skin) * (layout.charge - skin) <= 0.)
+      return what + ", which the body keeps from the nearest skin";
+    if (plane.distance(layout.charge) > layout.distance)
+      return what + ", which comes after the wave";
     const auto rise = [&](const BlastQuantity quantity) {
-      const double factor = merged.value(quantity, layout.distance) /
-                            alone.value(quantity, layout.distance);
-      return std::isfinite(factor) ? brief(100. * (factor - 1.), 2) + " %"
-                                   : "an unknown part";
+      const double part = merged_rise(scene, layout, quantity);
+      return std::isfinite(part) ? brief(100. * part, 2) + " %"
+                                 : "an unknown part";
     };
-    return "reflection by the ground (where it has merged with the wave, it "
-           "adds some " +
-           rise(BlastQuantity::overpressure) + " to the peak and " +
-           rise(BlastQuantity::impulse) + " to the impulse)";
+    return what + ", which adds some " + rise(BlastQuantity::overpressure) +
+           " to the peak and " + rise(BlastQuantity::impulse) +
+           " to the impulse where it has merged with the wave";
   }
 
   /// What tables alone leave out and a run has.
   std::string left_out_in_words(const SceneParameters &scene,
                                 const SceneLayout &layout,
-                                const std::string &walls)
+                                const std::vector<ChosenSide> &sides)
   {
     std::vector<std::string> parts;
-    if (!layout.is_surface_burst && layout.has_ground() &&
-        sees_reflection(scene, layout, 2, 0.))
-      parts.push_back(ground_in_words(scene, layout));
-    if (!walls.empty())
-      parts.push_back("reflection by " + walls);
+    for (const ReflectingPlane &plane : reflecting_planes(layout, sides))
+      if (sees_reflection(scene, layout, plane))
+        parts.push_back(reflection_in_words(scene, layout, plane));
     parts.emplace_back(scene.wants_injury()
                          ? "shape and tissues of the body; a run has them"
                        : parts.empty() ? "shape of the body; a run has it"
@@ -154,32 +150,17 @@ std::string unknown_beforehand()
 }
 
 
-bool sees_reflection(const SceneParameters &scene,
-                     const SceneLayout &layout,
-                     const unsigned int direction,
-                     const double place)
-{
-  dealii::Point<3> image = layout.charge, nearest;
-  image[direction] = 2. * place - image[direction];
-  for (unsigned int d = 0; d < 3; ++d)
-    nearest[d] = std::clamp(
-      image[d], layout.body.lower_bound(d), layout.body.upper_bound(d));
-  return !(layout.incident_wave(scene).value(
-             BlastQuantity::arrival, image.distance(nearest)) > scene.end_time);
-}
-
-
 std::vector<std::string> first_answer(const SceneParameters &scene,
                                       const SceneLayout &layout,
                                       const double body_mass,
                                       const std::string &person,
-                                      const std::string &walls)
+                                      const std::vector<ChosenSide> &sides)
 {
   const std::string what =
     brief(scene.mass) + " kg of " + scene.explosive.title;
   const std::string where = " at " + brief(layout.distance) + " m";
   const auto answer = table_answer(scene, layout, body_mass);
-  const std::string left_out = left_out_in_words(scene, layout, walls);
+  const std::string left_out = left_out_in_words(scene, layout, sides);
   if (!answer)
   {
     const IncidentWave wave = layout.incident_wave(scene);

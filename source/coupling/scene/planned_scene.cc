@@ -306,18 +306,8 @@ std::string PlannedScene::answer_at_trunk() const
 
 std::vector<std::string> PlannedScene::first_answer() const
 {
-  std::vector<std::string> walls;
-  for (const ChosenSide &side : sides_)
-    if (side.kind == "wall" &&
-        sees_reflection(
-          parameters_, *layout_, side.direction, side.place(*layout_)))
-      walls.push_back("the " + side.in_words(*layout_) + " (" + side.entry() +
-                      ")");
-  auto lines = coupling::first_answer(parameters_,
-                                      *layout_,
-                                      person_mass(),
-                                      person_->description(),
-                                      join(walls, " and "));
+  auto lines = coupling::first_answer(
+    parameters_, *layout_, person_mass(), person_->description(), sides_);
   if (!has(Tissue::lung))
     lines.push_back("  the body has no lungs: those of an adult of " +
                     brief(person_mass()) + " kg are taken");

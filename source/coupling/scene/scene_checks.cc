@@ -274,7 +274,6 @@ std::string gauge_cells_warning(const PlannedScene &scene,
                                 const TaskText &blast)
 {
   constexpr double spacing = 0.3; // [m]
-  constexpr double sound_speed = 340.;
   const SceneLayout &layout = scene.layout();
   const SceneParameters &parameters = scene.parameters();
   const IncidentWave wave = layout.incident_wave(parameters);
@@ -295,8 +294,8 @@ std::string gauge_cells_warning(const PlannedScene &scene,
           distance <= layout.fireball_radius(parameters))
         continue;
       const double cell = layout.cell_size(level);
-      const double n_cells =
-        sound_speed * layout.expected_phase(parameters, distance) / cell;
+      const double n_cells = SceneLayout::sound_speed *
+                             layout.expected_phase(parameters, distance) / cell;
       if (n_cells >= fewest)
         continue;
       fewest = n_cells;
@@ -309,8 +308,8 @@ std::string gauge_cells_warning(const PlannedScene &scene,
   const double front = layout.cell_size(layout.front_levels);
   return "WARNING: gauge cells: " + words +
          ", where fronts beside the body have " +
-         brief(sound_speed * layout.positive_phase / front, 2) + " of " +
-         brief(1e3 * front) +
+         brief(SceneLayout::sound_speed * layout.positive_phase / front, 2) +
+         " of " + brief(1e3 * front) +
          " mm: peaks and injuries there are too low; smaller Blast/Probes/Gauge "
          "planes, or Blast/Adaptation without limits of one's own, have cells "
          "as fine as there";

@@ -21,8 +21,6 @@ using dealii::Tensor;
 
 namespace
 {
-  constexpr double sound_speed = 340.; // of air [m/s]
-
   /// First intersection of the ray along -x from @p begin with the surface, by
   /// sphere tracing; nothing if the ray leaves the box.
   std::optional<Point<3>> hit(const Shape &surface, const Point<3> &begin)
@@ -387,13 +385,6 @@ double SceneLayout::seen_area() const
     area += face;
   }
   return area;
-}
-
-
-bool SceneLayout::sees_ground_reflection() const
-{
-  const Point<3> image(charge[0], charge[1], -charge[2]);
-  return (image - nearest_skin) * (charge - nearest_skin) > 0.;
 }
 
 

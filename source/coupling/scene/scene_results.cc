@@ -268,6 +268,36 @@ namespace
   }
 
 
+  /// Reflections at the probe beside the body and at the nearest skin, and what
+  /// each adds where it has merged with the incident wave.
+  io::Json reflection_rows(const PlannedScene &scene, const std::string &folder)
+  {
+    const auto rise = [&](const BlastQuantity quantity) {
+      return number(merged_rise(scene.parameters(), scene.layout(), quantity));
+    };
+    io::Json rows = io::Json::array();
+    const auto add = [&](const std::string &place,
+                         const std::vector<Reflection> &reflections) {
+      for (const Reflection &one : reflections)
+        rows.push_back({{"place", place},
+                        {"by", one.plane},
+                        {"least_delay", number(one.least_delay)},
+                        {"largest_delay", one.largest_delay},
+                        {"merges", one.merges},
+                        {"peak_rise", rise(BlastQuantity::overpressure)},
+                        {"impulse_rise", rise(BlastQuantity::impulse)}});
+    };
+    const SceneLayout &layout = scene.layout();
+    add(
+      first_probe,
+      reflections_at_probe(scene.parameters(), layout, scene.sides(), folder));
+    add("nearest skin",
+        reflections_at(
+          scene.parameters(), layout, scene.sides(), layout.nearest_skin));
+    return rows;
+  }
+
+
   io::Json change_rows(const std::vector<ChangedEntry> &changes)
   {
     io::Json rows = io::Json::array();
@@ -296,6 +326,8 @@ namespace
                           {"impulse", "Pa s"},
                           {"duration", "s"},
                           {"overpressure", "Pa"},
+                          {"least_delay", "s"},
+                          {"largest_delay", "s"},
                           {"brain_cover", "m"},
                           {"lung_cover", "m"},
                           {"cover_at_least", "m"}};
@@ -313,14 +345,16 @@ namespace
                                             scene.layout(),
                                             scene.person_mass(),
                                             folder,
-                                            has_coarser_run);
+                                            has_coarser_run,
+                                            scene.sides());
     const auto gauge = scene.nearest_gauge();
     return beside.empty() && gauge
              ? compare_skin_with_tables(scene.parameters(),
                                         scene.layout(),
                                         *gauge,
                                         folder,
-                                        has_coarser_run)
+                                        has_coarser_run,
+                                        scene.sides())
              : beside;
   }
 
@@ -420,6 +454,7 @@ void write_scene(const PlannedScene &scene,
     {"tables", tables_of(scene)},
     {"table_comparison",
      comparison_rows(compared(scene, tasks, command.output_folder))},
+    {"reflections", reflection_rows(scene, command.output_folder)},
     {"changes", change_rows(scene.parameters().changes)},
     {"warnings", warnings},
     {"remarks", scene.remarks()},

@@ -8,7 +8,6 @@
 #include <contrecoup/io/file/checked_file.h>
 #include <contrecoup/io/file/file_format.h>
 
-#include <boost/math/constants/constants.hpp>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -79,20 +78,6 @@ namespace
   }
 
 
-  /// Whether the ground's reflection may have merged with the incident wave at
-  /// the body: regular reflection of strong shocks in air ends at an angle of
-  /// incidence of 40 degrees (von Neumann's detachment criterion). A merged
-  /// wave has a larger peak than the @p tables; those of a surface burst have
-  /// it.
-  bool
-  may_merge(const SceneLayout &layout, const double peak, const double tables)
-  {
-    constexpr double largest = 40. * boost::math::double_constants::degree;
-    return peak > tables && !layout.is_surface_burst &&
-           std::atan2(layout.distance, 2. * layout.charge[2]) > largest;
-  }
-
-
   /// Compares a quantity whose numerical error is at least @p least_error.
   /// @p may_exceed, @p may_be_less: whether what the tables leave out explains
   /// a difference.
@@ -139,30 +124,23 @@ namespace
   }
 
 
-  /// Whether the ground's reflection comes to the probe after the incident
-  /// wave: it is larger than that and has come at the speed of sound at least.
-  bool has_reflection_behind(const SceneLayout &layout,
-                             const std::string &folder)
+  /// Whether a reflection comes to the probe after the incident wave: a wave
+  /// that is larger than that comes in its time.
+  bool comes_later(const Reflection &reflection, const std::string &folder)
   {
-    constexpr double sound_speed = 340.;
-    const dealii::Point<3> &charge = layout.charge;
-    const dealii::Point<3> mirrored(charge[0], charge[1], -charge[2]);
-    const double detour =
-      layout.probe->distance(mirrored) - layout.probe->distance(charge);
+    const double delay = result_of(folder, "probe_1_later_peak_time") -
+                         value_of(folder, "arrival");
     return result_of(folder, "probe_1_later_peak_overpressure") >
              value_of(folder, "peak_overpressure") &&
-           result_of(folder, "probe_1_later_peak_time") <=
-             value_of(folder, "arrival") + detour / sound_speed;
+           delay >= reflection.least_delay && delay <= reflection.largest_delay;
   }
 
 
-  /// may_merge() at the probe.
-  bool may_merge_at_probe(const SceneLayout &layout,
-                          const std::string &folder,
-                          const double tables)
+  bool has_merged(const std::vector<Reflection> &reflections)
   {
-    return may_merge(layout, value_of(folder, "peak_overpressure"), tables) &&
-           !has_reflection_behind(layout, folder);
+    return std::any_of(reflections.begin(),
+                       reflections.end(),
+                       [](const Reflection &one) { return one.merges; });
   }
 
 
@@ -237,11 +215,28 @@ namespace
 } // namespace
 
 
-std::vector<ComparedQuantity> compare_with_tables(const SceneParameters &scene,
-                                                  const SceneLayout &layout,
-                                                  const double body_mass,
-                                                  const std::string &folder,
-                                                  const bool has_coarser_run)
+std::vector<Reflection>
+reflections_at_probe(const SceneParameters &scene,
+                     const SceneLayout &layout,
+                     const std::vector<ChosenSide> &sides,
+                     const std::string &folder)
+{
+  if (!layout.probe)
+    return {};
+  auto all = reflections_at(scene, layout, sides, *layout.probe);
+  for (Reflection &one : all)
+    one.merges = one.merges && !comes_later(one, folder + "/blast");
+  return all;
+}
+
+
+std::vector<ComparedQuantity>
+compare_with_tables(const SceneParameters &scene,
+                    const SceneLayout &layout,
+                    const double body_mass,
+                    const std::string &folder,
+                    const bool has_coarser_run,
+                    const std::vector<ChosenSide> &sides)
 {
   const auto answer = table_answer(scene, layout, body_mass);
   const std::string fine = folder + "/blast",
@@ -280,7 +275,7 @@ std::vector<ComparedQuantity> compare_with_tables(const SceneParameters &scene,
   // A merged wave is that of a stronger charge, and earlier. A positive phase
   // that the end of the run cuts is a lower limit.
   const bool merges =
-    may_merge_at_probe(layout, fine, answer->in_the_open.overpressure);
+    has_merged(reflections_at_probe(scene, layout, sides, folder));
   const bool is_cut = result_of(fine, "probe_1_cut_off") > 0.;
   add("peak_overpressure", "Pa", answer->in_the_open.overpressure, merges);
   add("impulse", "Pa s", answer->impulse, true, is_cut);
@@ -304,7 +299,8 @@ compare_skin_with_tables(const SceneParameters &scene,
                          const SceneLayout &layout,
                          const Landmark &gauge,
                          const std::string &folder,
-                         const bool has_coarser_run)
+                         const bool has_coarser_run,
+                         const std::vector<ChosenSide> &sides)
 {
   // Farther away, the skin may be turned from the charge.
   constexpr double nearly = 1.05;
@@ -337,12 +333,15 @@ compare_skin_with_tables(const SceneParameters &scene,
       may_be_less));
     list.back().place = gauge.name;
   };
-  const double peak =
-    wave.value(BlastQuantity::reflected_overpressure, distance);
   const bool merges =
-    may_merge(layout, result_of(folder + "/blast", name + "first_peak"), peak);
+    has_merged(reflections_at(scene, layout, sides, gauge.place));
   // Later waves may be larger.
-  add("reflected_overpressure", "Pa", "first_peak", peak, merges, false);
+  add("reflected_overpressure",
+      "Pa",
+      "first_peak",
+      wave.value(BlastQuantity::reflected_overpressure, distance),
+      merges,
+      false);
   // What comes back later adds to it, and the edges of a body relieve it.
   add("reflected_impulse",
       "Pa s",

@@ -3,8 +3,7 @@
 
 #pragma once
 
-#include <contrecoup/coupling/scene/scene_layout.h>
-#include <contrecoup/coupling/scene/scene_parameters.h>
+#include <contrecoup/coupling/scene/reflecting_plane.h>
 
 #include <optional>
 #include <string>
@@ -54,32 +53,23 @@ std::string equivalence_in_words(const Explosive &explosive);
 /// A probability in per cent: "more than 99 %", "less than 0.1 %".
 std::string percent(double probability);
 
-/// Whether the reflection of the incident wave by a plane comes to the body
-/// before the end time: by the front on the way from the charge's image.
-/// @param direction normal to the plane
-/// @param place of the plane in this direction [m]
-bool sees_reflection(const SceneParameters &scene,
-                     const SceneLayout &layout,
-                     unsigned int direction,
-                     double place);
-
 /**
  * A first answer without a run, as lines for the screen: the blast wave at the
  * body's distance by the tables of Kingery and Bulmash for the TNT equivalence
  * of the explosive, and what its incident and its reflected peak would do to
  * eardrums and lungs. The ground counts for a surface burst; else its
- * reflection is left out, with a word on its size if a run has it, as are
- * afterburn, the body's shape and, where injury is asked for, its tissues, and
- * walls that the user adds. The ModelBias of a run,
- * if it was measured.
+ * reflection is left out, as are those by walls that the user adds, with a word
+ * on their size if a run has them, and afterburn, the body's shape and, where
+ * injury is asked for, its tissues. The ModelBias of a run, if it was measured.
  *
  * @param body_mass [kg]
  * @param person who is in the scene, in words; empty: not said
- * @param walls sides of the domain that the user made walls, in words
+ * @param sides of the domain that the user chose
  */
-std::vector<std::string> first_answer(const SceneParameters &scene,
-                                      const SceneLayout &layout,
-                                      double body_mass,
-                                      const std::string &person = "",
-                                      const std::string &walls = "");
+std::vector<std::string>
+first_answer(const SceneParameters &scene,
+             const SceneLayout &layout,
+             double body_mass,
+             const std::string &person = "",
+             const std::vector<ChosenSide> &sides = {});
 } // namespace contrecoup::coupling

@@ -81,6 +81,12 @@ public:
     return tissue_places_;
   }
 
+  /// Sides of the domain that the user chose.
+  const std::vector<ChosenSide> &sides() const
+  {
+    return sides_;
+  }
+
   /// Assumptions of the scene, without those of its blast.
   const std::vector<Assumption> &plan() const
   {

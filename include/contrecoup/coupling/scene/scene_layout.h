@@ -53,6 +53,7 @@ struct SceneLayout
 
   static constexpr double air_pressure = 101325.; ///< [Pa]
   static constexpr double air_density = 1.225;    ///< [kg/m^3]
+  static constexpr double sound_speed = 340.;     ///< of air [m/s]
 
   /// Most refinement levels beyond those of the preset.
   static constexpr unsigned int max_extra_levels = 2;
@@ -118,10 +119,6 @@ struct SceneLayout
   /// Area of the body's box across the line from the charge to the nearest
   /// skin, of sides of at most twice the distance [m^2].
   double seen_area() const;
-
-  /// Whether the ground's reflection comes to the nearest skin from outside:
-  /// not to the chest of who lies below the charge.
-  bool sees_ground_reflection() const;
 
   /// Distance from the charge to the nearest of the body and the open sides
   /// [m].

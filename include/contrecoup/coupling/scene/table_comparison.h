@@ -30,12 +30,21 @@ struct ComparedQuantity
   /// Error of the tables with this TNT equivalence [-].
   double tables_error;
   /// Whether both differ by more than what is known of their errors, as that of
-  /// the peak for the load, in a direction that reflections by the ground
-  /// cannot explain.
+  /// the peak for the load, in a direction that reflections cannot explain.
   bool differs;
   std::string place = first_probe;
 };
 
+
+/// Reflections at the probe beside the body, by the ground and by sides that
+/// the user made walls. One that comes as a larger wave after the incident one
+/// has not merged with that.
+/// @param folder of the scene
+std::vector<Reflection>
+reflections_at_probe(const SceneParameters &scene,
+                     const SceneLayout &layout,
+                     const std::vector<ChosenSide> &sides,
+                     const std::string &folder);
 
 /**
  * Compares the blast of a finished run with the tables: wave and injuries in
@@ -46,12 +55,15 @@ struct ComparedQuantity
  * @param folder of the scene
  * @param body_mass [kg]
  * @param has_coarser_run whether its coarser run tells the error
+ * @param sides of the domain that the user chose
  */
-std::vector<ComparedQuantity> compare_with_tables(const SceneParameters &scene,
-                                                  const SceneLayout &layout,
-                                                  double body_mass,
-                                                  const std::string &folder,
-                                                  bool has_coarser_run);
+std::vector<ComparedQuantity>
+compare_with_tables(const SceneParameters &scene,
+                    const SceneLayout &layout,
+                    double body_mass,
+                    const std::string &folder,
+                    bool has_coarser_run,
+                    const std::vector<ChosenSide> &sides = {});
 
 /**
  * Compares the load on the skin with that on a wall by the tables, for a scene
@@ -62,13 +74,15 @@ std::vector<ComparedQuantity> compare_with_tables(const SceneParameters &scene,
  * @param gauge on the skin
  * @param folder of the scene
  * @param has_coarser_run whether its coarser run tells the error
+ * @param sides of the domain that the user chose
  */
 std::vector<ComparedQuantity>
 compare_skin_with_tables(const SceneParameters &scene,
                          const SceneLayout &layout,
                          const Landmark &gauge,
                          const std::string &folder,
-                         bool has_coarser_run);
+                         bool has_coarser_run,
+                         const std::vector<ChosenSide> &sides = {});
 
 /// A warning that names what differs; empty if nothing does.
 std::string warning_of(const std::vector<ComparedQuantity> &compared,
