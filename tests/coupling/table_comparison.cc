@@ -341,10 +341,13 @@ TEST(TableComparison, IsOfTheFirstPeak)
   const auto low = compare(3., 0.75, 1.3, "0.1");
   const ComparedQuantity &peak = low.at("peak_overpressure");
   EXPECT_NEAR(peak.run / peak.tables, 0.75, 1e-5);
-  EXPECT_TRUE(peak.differs && low.at("eardrum_rupture").differs);
+  EXPECT_TRUE(peak.differs);
   EXPECT_FALSE(compare(3., 1., 1.3, "0.9").at("peak_overpressure").differs);
-  // The eardrums are those under the larger peak.
-  EXPECT_FALSE(compare(3., 0.75, 1.3, "0.999").at("eardrum_rupture").differs);
+  // The eardrums are those under the larger peak, whatever the first one is; a
+  // reflection may raise it above that of the tables.
+  EXPECT_FALSE(low.at("eardrum_rupture").differs);
+  EXPECT_FALSE(compare(3., 0.75, 1.6, "0.999").at("eardrum_rupture").differs);
+  EXPECT_TRUE(compare(3., 0.6, 1.1, "0.1").at("eardrum_rupture").differs);
   // What follows the incident wave has not merged with it.
   for (const double of_later_peak : {1., 1.3})
     EXPECT_EQ(

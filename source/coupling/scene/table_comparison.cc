@@ -156,23 +156,24 @@ namespace
   }
 
 
-  /// Gives probabilities the verdicts of the loads from which they follow; one
-  /// that reads the same for both does not differ, nor does that of eardrums if
-  /// a larger later wave raises it above that of the tables.
-  void judge_probabilities(std::vector<ComparedQuantity> &list)
+  /// Judges probabilities by the loads from which they follow; one that reads
+  /// the same for both does not differ.
+  /// @param ears_differ whether the load on eardrums does
+  void judge_probabilities(const bool ears_differ,
+                           std::vector<ComparedQuantity> &list)
   {
+    const bool lungs_differ =
+      std::any_of(list.begin(), list.end(), [](const ComparedQuantity &load) {
+        return load.name == "lung_exposure" && load.differs;
+      });
     for (ComparedQuantity &one : list)
     {
       const bool is_of_ears = one.name == "eardrum_rupture";
       if (!is_of_ears && one.name != "lung_lethality")
         continue;
       one.run_error = unknown;
-      one.differs = false;
-      for (const ComparedQuantity &load : list)
-        if (load.name == (is_of_ears ? "peak_overpressure" : "lung_exposure"))
-          one.differs =
-            load.differs && percent(one.run) != percent(one.tables) &&
-            !(is_of_ears && load.run < load.tables && one.run > one.tables);
+      one.differs = (is_of_ears ? ears_differ : lungs_differ) &&
+                    percent(one.run) != percent(one.tables);
     }
   }
 
@@ -249,11 +250,12 @@ compare_with_tables(const SceneParameters &scene,
     return {};
   const double error = error_of_tables(scene);
   // Errors of peak and duration can cancel in what follows from both.
-  const std::string largest = "probe_1_peak_overpressure";
+  const std::string name_of_largest = "probe_1_peak_overpressure";
+  const std::pair<double, double> largest_peaks = {
+    result_of(fine, name_of_largest),
+    has_coarser_run ? result_of(coarse, name_of_largest) : unknown};
   const double error_of_largest_peak =
-    has_coarser_run
-      ? error_of(result_of(fine, largest), result_of(coarse, largest))
-      : unknown;
+    error_of(largest_peaks.first, largest_peaks.second);
   std::vector<ComparedQuantity> list;
   const auto add = [&](const std::string &name,
                        const std::string &unit,
@@ -289,7 +291,17 @@ compare_with_tables(const SceneParameters &scene,
   add("lung_exposure", "-", answer->in_the_open.lung_exposure, true);
   add("lung_lethality", "-", answer->in_the_open.lung_lethality, true);
   add("eardrum_rupture", "-", answer->in_the_open.eardrum_rupture, true);
-  judge_probabilities(list);
+  // Eardrums are judged by the largest peak, to which reflections may add.
+  const double first_peak = value_of(fine, "peak_overpressure");
+  judge_probabilities(compare("",
+                              "Pa",
+                              largest_peaks,
+                              {answer->in_the_open.overpressure, error},
+                              unknown,
+                              merges || largest_peaks.first > first_peak,
+                              false)
+                        .differs,
+                      list);
   return list;
 }
 
