@@ -504,8 +504,11 @@ class ReportTest(unittest.TestCase):
             note, "Peak and arrival at the probe are those of the incident "
             "wave. A second wave comes within the positive phase there, with a "
             "peak of 93.0\xa0kPa at 5.20\xa0ms: the reflection by the ground. "
-            "Eardrums and lungs are judged by this larger peak. Impulse, "
-            "duration and the load on lungs are those of both waves.")
+            "Impulse, duration and the load on lungs are those of both waves.")
+        # The eardrum on the first screen is judged by its own load.
+        self.assertIn("The last rows, on people in the open, are by the larger "
+                      "peak", headline.Lead(scene, []).tables())
+        self.assertNotIn("last rows", str(accuracy._free_air(scene)))
         self.assertIn(">79.0\xa0kPa<", str(accuracy._free_air(scene)))
         for words, changes in (
                 ("second shock, or a reflection by the body.",

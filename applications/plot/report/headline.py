@@ -56,7 +56,9 @@ class Lead:
             row.get("name") in LUNGS for row in _rows(scene)) else (
                 f"; lungs of a person of {page.given(float(f'{mass:.3g}'), 'kg')}")
         self.explaining = reflections.explaining(scene)
-        self.reflections, self.heights = reflections.note(scene), _heights(scene)
+        self.reflections = reflections.note(scene) \
+            + reflections.note_on_people(scene)
+        self.heights = _heights(scene)
         left_out = ([] if reflections.is_surface_burst(scene) else ["ground"]) \
             + ["body"] + (["walls"] if reflections.walls(scene) else [])
         self.left_out = ("" if len(left_out) > 1 else "the ") \

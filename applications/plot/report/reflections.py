@@ -82,6 +82,13 @@ def note(scene, probe="the probe"):
            if scene.blast.found("results", "probe_1_cut_off") else ""))
 
 
+def note_on_people(scene):
+    """By which peak people at the first probe are judged, as a sentence; "" if
+    by that of the incident wave."""
+    return " The last rows, on people in the open, are by the larger peak of " \
+        "the second wave." if _largest_wave(scene) else ""
+
+
 def _rises(row):
     """What a merged reflection adds, in words."""
     return page.joined(
@@ -138,8 +145,6 @@ def _second_wave(scene):
            f", with a peak of {page.quantity(later[0], 'Pa')} at "
            f"{page.milliseconds(later[1])}")
         + f": {_cause_of_second_wave(scene)}."
-        + (" Eardrums and lungs are judged by this larger peak."
-           if _largest_wave(scene) else "")
         + " Impulse, duration and the load on lungs are those of both waves."
         + (" Their errors do not hold, since finer cells may let the pressure "
            "fall to zero between the waves, which leaves the duration that is "
