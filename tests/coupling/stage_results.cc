@@ -15,6 +15,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <tuple>
 #include <utility>
 
 using namespace contrecoup;
@@ -291,8 +292,8 @@ TEST(ScenePlan, TellsNoAfterburnOfLikeAsThatOfTheUsersExplosive)
 }
 
 
-// What is longer than the phase that is expected has later waves, as of
-// reflections, and tells nothing of the cells in the first.
+// A phase that is longer than expected is measured, too; one with a later wave,
+// and one that the end of the run cuts, tell nothing of the cells in the first.
 TEST(SceneAudit, MeasuresCellsInAPhaseWithoutLaterWavesAlone)
 {
   const SceneParameters scene = small_scene();
@@ -302,19 +303,32 @@ TEST(SceneAudit, MeasuresCellsInAPhaseWithoutLaterWavesAlone)
   const double expected = item_of(plan, "resolution").value;
   const io::TemporaryFolder folder;
   std::filesystem::create_directories(folder.path() + "/blast");
-  for (const double part : {0.8, 1.2})
+  const double part = 1.2, arrival = 2e-3;
+  const double end = arrival + part * layout.positive_phase;
+  for (const auto &[later, cut_off, gap] :
+       {std::tuple{1.1 * end, 0., ""},
+        {0.9 * end, 0., "that at the probe is of several waves"},
+        {1.1 * end, 1., "the run ends before that at the probe does"}})
   {
     std::ofstream(folder.path() + "/blast/summary.json")
       << R"({"results": {"probe_1_duration": {"value": )"
-      << part * layout.positive_phase << R"(, "unit": "s"}}})";
+      << part * layout.positive_phase << R"(}, "probe_1_arrival": {"value": )"
+      << arrival << R"(}, "probe_1_cut_off": {"value": )" << cut_off
+      << R"(}, "probe_1_later_peak_time": {"value": )" << later << "}}}";
     const Assumption found =
       item_of(scene_audit(scene, layout, plan, folder.path()), "resolution");
-    if (part < 1.)
+    const std::string quantity =
+      "number of cells in the positive phase of the wave at the body";
+    if (*gap == '\0')
+    {
       EXPECT_NEAR(found.value, part * expected, 1e-5 * expected);
+      EXPECT_EQ(found.quantity, quantity);
+    }
     else
+    {
       EXPECT_TRUE(std::isnan(found.value)) << found.value;
-    EXPECT_EQ(found.quantity.find("not measured") != std::string::npos,
-              part > 1.);
+      EXPECT_EQ(found.quantity, quantity + ", not measured, since " + gap);
+    }
   }
 }
 

@@ -1405,6 +1405,10 @@ class ReportTest(unittest.TestCase):
         self.assertEqual(headline._limits(scene), [
             "Beyond its limit: cells (estimated at 6.6, not measured; limit: "
             "at least 10)."])
+        row["quantity"] += ", not measured, since there is no probe"
+        self.assertEqual(headline._limits(scene), [
+            "Beyond its limit: cells, not measured, since there is no probe "
+            "(estimated at 6.6; limit: at least 10)."])
         self.assertIn(">no<", str(accuracy._planned(row)[6]))
 
     def test_loads_on_other_surface(self):

@@ -547,8 +547,10 @@ def _ground(scene):
 def _limits(scene):
     """Items of the audit beyond their limits."""
     def known(row):
-        return row.get("found") if row.get("found") != "unknown" else \
-            f"estimated at {row.get('estimate')}, not measured"
+        if row.get("found") != "unknown":
+            return row.get("found")
+        return f"estimated at {row.get('estimate')}" + (
+            "" if "not measured" in row["quantity"] else ", not measured")
 
     failed = [f"{WORDS.get(row.get('item')) or row.get('quantity')} "
               f"({known(row)}; limit: {row.get('limit')})"

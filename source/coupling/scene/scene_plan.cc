@@ -232,26 +232,39 @@ namespace
     return items;
   }
 
+  /// Why the phase at the probe tells nothing of that of the front; empty: it
+  /// does.
+  std::string gap_of_phase(const SceneLayout &layout, const std::string &blast)
+  {
+    if (!layout.probe)
+      return "there is no probe beside the body";
+    const auto result = [&](const std::string &name) {
+      return stage_result(blast, "probe_1_" + name);
+    };
+    return result("cut_off") > 0. ? "the run ends before that at the probe does"
+           : result("later_peak_time") <= result("arrival") + result("duration")
+             ? "that at the probe is of several waves"
+             : "";
+  }
+
   /// The same with what a run measured: neither the rise by afterburn nor the
   /// difference from other models.
   std::vector<Assumption> found_of_charge(const SceneParameters &scene,
                                           const SceneLayout &layout,
                                           const std::string &folder)
   {
-    const double duration =
-      layout.probe ? stage_result(folder + "/blast", "probe_1_duration")
-                   : unknown;
-    // Later waves lengthen the phase at the probe, not that of the front.
-    const bool has_later_waves = known_phase(scene, layout) < duration;
     std::vector<Assumption> items = items_of_charge(scene, layout);
     for (Assumption &item : items)
       if (item.name == "resolution")
       {
-        item = resolution(scene, layout, has_later_waves ? unknown : duration);
-        if (has_later_waves)
-          item.quantity +=
-            ", not measured: that at the probe is longer than expected, and may "
-            "be of several waves";
+        const std::string gap = gap_of_phase(layout, folder + "/blast");
+        item = resolution(
+          scene,
+          layout,
+          gap.empty() ? stage_result(folder + "/blast", "probe_1_duration")
+                      : unknown);
+        if (!gap.empty())
+          item.quantity += ", not measured, since " + gap;
       }
       else if (item.name == "skin")
         item.value = stage_check(folder + "/blast", "loads_skin_area") /
