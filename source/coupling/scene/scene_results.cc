@@ -381,9 +381,6 @@ void print_audit(const PlannedScene &scene,
   for (const std::string &line : io::audit_lines(
          named(whole_plan(scene, folder), tasks), named(audit, tasks)))
     log_line(line);
-  // The report, whose first lines the terminal shows, says it by itself.
-  if (scene.parameters().draws_report)
-    return;
   const std::string warning =
     warning_of(compared(scene, tasks, folder), scene.parameters().explosive);
   if (!warning.empty())

@@ -195,6 +195,12 @@ def check_screen(screen, files):
                    warning.partition(" is estimated at ")[0]) not in log]
     require(not unknown and len(warnings) == len(set(warnings)),
             f"screen: {warnings}, report.json: {known}")
+    # What differs from the tables is a warning in both, whatever it is.
+    for told in (warnings, known):
+        require(any("run and tables of Kingery" in text for text in told)
+                == any(row["differs"] for row in
+                       files.scene["table_comparison"]),
+                f"differences from the tables in warnings: {told}")
     place = next(number for number, line in enumerate(lines)
                  if line.startswith("report in "))
     answer = []
