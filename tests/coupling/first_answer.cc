@@ -216,6 +216,9 @@ TEST(FirstAnswer, SaysWhereTheTablesEnd)
             std::string::npos)
     << lines[1];
   EXPECT_NE(lines[2].find("reflection by the ground"), std::string::npos);
+  // They reach 1.9996 m.
+  EXPECT_TRUE(has_words(answer_for(1.24925e-4),
+                        "of TNT at 2 m, but no more than 1.999 m"));
   // Nearer than 0.147 m/kg^(1/3) they have no impulse.
   const auto near = answer_for(6e3);
   ASSERT_EQ(near.size(), 3U);

@@ -551,6 +551,7 @@ class ReportTest(unittest.TestCase):
         self.expect(text_of(made.page),
                     "Survives (death by lung injury: less than 0.1 %); eardrums",
                     "free-field load over the 50 % lethality load 0.432",
+                    "beside the body, 1.27 m above the ground, in the open",
                     "probability of death by lung injury less than 0.1 %")
         # The reflected load on the skin then has no verdict of its own.
         judged = {entry.name: entry.has_verdict

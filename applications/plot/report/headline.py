@@ -59,6 +59,8 @@ class Lead:
         self.reflections = reflections.note(scene) \
             + reflections.note_on_people(scene)
         self.heights = _heights(scene)
+        probe = scene.facts.get("probe_beside_body")
+        self.height = f"{_height(probe)} above the ground, " if probe else ""
         left_out = ([] if reflections.is_surface_burst(scene) else ["ground"]) \
             + ["body"] + (["walls"] if reflections.walls(scene) else [])
         self.left_out = ("" if len(left_out) > 1 else "the ") \
@@ -100,7 +102,7 @@ class Lead:
                     "what differs by more is marked." if self.gauge else "."),
                 numbers=(1, 2) if self.gauge else (1,), data=self.file)
         return page.table(
-            ("beside the body, in the open", "this run", "tables"),
+            (f"beside the body, {self.height}in the open", "this run", "tables"),
             self.compared, caption + "±: errors of the numerics, where they are "
             "known, and of the tables; what differs by more is marked, unless "
             f"{self.explaining} may explain it. {self.reflections}{self.heights}",
@@ -127,17 +129,21 @@ class Lead:
         return page.tag("div", *parts, kind="doubts") if parts else ""
 
 
+def _height(place):
+    return page.given(round(place[2], 2), "m")
+
+
 def _heights(scene):
     """How high the probe beside the body is, and the parts that its wave is
     compared with, as a sentence; "" where they are level."""
     probe, known = scene.facts.get("probe_beside_body"), scene.loads()
     if not probe or known is None:
         return ""
-    others = [f"the {name} {page.given(round(place[2], 2), 'm')}"
+    others = [f"the {name} {_height(place)}"
               for name, place in known.places().items()
               if name in ("chest", "left ear")
               and abs(place[2] - probe[2]) > LEVEL]
-    return (f" The probe is {page.given(round(probe[2], 2), 'm')} above the ground, "
+    return (f" The probe is {_height(probe)} above the ground, "
             f"{page.joined(others)}.") if others else ""
 
 

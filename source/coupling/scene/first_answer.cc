@@ -48,6 +48,21 @@ namespace
   }
 
 
+  /// The end of the tables that is nearest to a distance, to four digits that
+  /// they cover.
+  std::string end_of_tables(const IncidentWave &wave, const double distance)
+  {
+    constexpr double round_off = 0.01;
+    const double end = wave.nearest_tabulated(distance);
+    const double digit = std::pow(10., std::floor(std::log10(end)) - 3.);
+    return end > distance
+             ? "no less than " +
+                 brief(std::ceil(end / digit - round_off) * digit)
+             : "no more than " +
+                 brief(std::floor(end / digit + round_off) * digit);
+  }
+
+
   /// What a plane may add: at most, at places at which both waves are one, what
   /// it adds to a surface burst.
   std::string reflection_in_words(const SceneParameters &scene,
@@ -164,11 +179,9 @@ std::vector<std::string> first_answer(const SceneParameters &scene,
   if (!answer)
   {
     const IncidentWave wave = layout.incident_wave(scene);
-    const double nearest = wave.nearest_tabulated(layout.distance);
     return {"no first answer: the tables of Kingery and Bulmash do not cover " +
-              what + where + ", but " +
-              (nearest > layout.distance ? "no less" : "no more") + " than " +
-              brief(nearest, 4) + " m",
+              what + where + ", but " + end_of_tables(wave, layout.distance) +
+              " m",
             std::string("  incident wave of ") +
               (wave.is_tabulated(BlastQuantity::overpressure, layout.distance)
                  ? "the tables"
