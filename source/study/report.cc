@@ -137,7 +137,10 @@ namespace
       for (const std::string &label : labels)
         out << ' ' << cell(label) << " |";
       for (std::size_t i = 0; i < result.columns.size(); ++i)
-        out << ' ' << (i < limits.size() && limits[i] ? "≥ " : "")
+        out << ' '
+            << (i >= limits.size() || !limits[i] ? ""
+                : values[i] < 0.                 ? "≤ "
+                                                 : "≥ ")
             << (i < values.size() ? number_text(values[i], 4) : outcome)
             << " |";
       out << '\n';
@@ -281,8 +284,8 @@ std::string to_markdown(const StudyParameters &parameters,
         }))
     out << "\nretried: " << retried_in_words << ".\n";
   if (result.n_cut_off() > 0)
-    out << "\n≥: a lower limit, as the run ends before a positive phase, a "
-           "contact or a strain does.\n";
+    out << "\n≥: a lower limit, ≤: one of the magnitude, as the run ends "
+           "before a positive phase, a contact, a strain or a pressure does.\n";
   const std::string failed = failures(result);
   if (!failed.empty())
     out << "\nNot finished, " << result.n_unfinished() << " of "

@@ -351,11 +351,13 @@ void Study::write_results(const std::string &status, const double seconds)
                std::to_string(result.rows.size()) + " runs " +
                (n == 1 ? of_one : of_more) + what);
   };
-  warn_of(result.n_cut_off(),
-          "ends",
-          "end",
-          " before a positive phase, a contact or a strain does: what study.md "
-          "marks with ≥ is a lower limit; a later end time gives all of it");
+  warn_of(
+    result.n_cut_off(),
+    "ends",
+    "end",
+    " before a positive phase, a contact, a strain or a pressure does: "
+    "what study.md marks with ≥ or ≤ is a lower limit of its magnitude; a "
+    "later end time gives all of it");
   warn_of(result.n_warned(), "has", "have", " warnings, which study.md lists");
   write_text(path("study.csv"), to_csv(parameters_, result));
   write_text(path("study.md"), to_markdown(parameters_, result));

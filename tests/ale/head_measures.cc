@@ -13,6 +13,7 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <set>
 
 using namespace contrecoup;
 using namespace contrecoup::ale;
@@ -35,7 +36,8 @@ public:
 
   /// @param entries of "Injury" and "Mesh"
   explicit MovedHead(const unsigned int n_layers_of_brain = 4,
-                     const std::map<std::string, Entries> &entries = {})
+                     const std::map<std::string, Entries> &entries = {},
+                     const std::vector<ContactPlane> &planes = {})
   {
     dealii::GridGenerator::subdivided_hyper_rectangle(
       mesh_, {8, 4, 2}, Point(), Point(0.08, 0.04, 0.02), true);
@@ -69,7 +71,7 @@ public:
       for (const auto &[entry, value] : list)
         apply_assignments({{{section}, entry, value, "test"}}, prm);
     measures_.parse_parameters(prm);
-    measures_.find(regions, {});
+    measures_.find(regions, planes);
     measures_.reinit(space_, step_, state_);
   }
 
@@ -263,6 +265,76 @@ TEST(HeadMeasures, OfABrainAloneAreThoseOfItsMotion)
       return Vector({0.1 * gravity * i, 0., 0.});
     });
   EXPECT_NEAR(head.found().at("injury_hic15"), 1e-3 * std::pow(100., 2.5), 0.1);
+}
+
+// Of a head that is stretched, and pressed together along x later.
+TEST(HeadMeasures, AreLowerLimitsOfARunThatEndsEarly)
+{
+  const std::vector<ContactPlane> planes(
+    1, {"wall", Point(), Vector({1., 0., 0.}), 0.});
+  MovedHead head(8, {{"Injury", {{"Skull", ""}}}}, planes);
+  std::array<double, 8> strains{};
+  head.stretch(0., strains);
+  strains.fill(1e-4);
+  head.stretch(1e-3, strains);
+  const auto marks = [&](const RunEnd &end) {
+    std::set<std::string> found;
+    for (const auto &value :
+         solid::values_of(head.measures().measures(MPI_COMM_WORLD, end)))
+      found.insert(value.name);
+    for (const auto &value : head.measures().coup(MPI_COMM_WORLD, end))
+      found.insert(value.name);
+    std::string list;
+    for (const char *name : {"injury_intracranial_pressure_peak",
+                             "injury_intracranial_pressure_lowest",
+                             "injury_cavitating_fraction",
+                             "injury_csdm_15",
+                             "injury_hic15",
+                             "injury_pressure_roughness",
+                             "coup_pressure",
+                             "contrecoup_pressure"})
+      list += found.count(std::string(name) + "_cut_off") > 0 ? '1' : '0';
+    return list;
+  };
+  EXPECT_EQ(marks({}), "01110001");
+  strains.fill(-1e-4);
+  head.stretch(2e-3, strains);
+  EXPECT_EQ(marks({}), "10000010");
+  strains.fill(0.);
+  head.stretch(3e-3, strains);
+  EXPECT_EQ(marks({}), "00000000");
+  EXPECT_EQ(marks({false, true}), "01100001");
+  EXPECT_EQ(marks({true, false}), "11111011");
+}
+
+// A contact that lasts, and a liquid whose least pressure is that of the end.
+TEST(HeadMeasures, KnowWhatGoesOnWhenTheRunEnds)
+{
+  Region liquid, solid;
+  solid.law = SolidMaterial();
+  liquid.law = Tait(1000., 2e9, 7.15, -1e8);
+  HeadRecord head;
+  head.find({solid, liquid}, {});
+  ContactRecord contact;
+  ContactMeasures push;
+  push.force = 1.;
+  contact.add(push, 0.1, 0.1);
+  for (const bool is_liquid : {false, true})
+  {
+    ExtremeRecord extremes;
+    extremes.reinit(2, MPI_COMM_SELF);
+    std::vector<RegionExtremes> row(2);
+    for (RegionExtremes &one : row)
+      one.least_pressure = one.largest_pressure = 0.;
+    row[is_liquid ? 1 : 0].least_pressure = -1e5;
+    extremes.add(row);
+    extremes.take();
+    EXPECT_EQ(head.end_at(0.1, contact, extremes).tension_grows, is_liquid);
+  }
+  ExtremeRecord none;
+  none.reinit(2, MPI_COMM_SELF);
+  EXPECT_TRUE(head.end_at(0.1, contact, none).contact_lasts);
+  EXPECT_FALSE(head.end_at(0.2, contact, none).contact_lasts);
 }
 
 TEST(HeadMeasures, GoOnFromACheckpoint)

@@ -200,6 +200,31 @@ TEST(ImpactPlan, audits_friction_and_contact)
   EXPECT_FALSE(find(found, "friction").fails());
 }
 
+TEST(HeadAnswer, SaysWhichPressuresAreThoseSoFar)
+{
+  std::vector<NamedValue> values{
+    {"injury_intracranial_pressure_peak", "Pa", 5e5},
+    {"injury_intracranial_pressure_lowest", "Pa", -4e4}};
+  const auto line = [&](const std::string &cut_off) {
+    auto list = values;
+    list.push_back({cut_off + "_cut_off", "-", 1.});
+    return answer_lines(list, false, "averaged")[0];
+  };
+  const std::string begin = "Pressure in the brain, averaged: ";
+  EXPECT_EQ(line("none"), begin + "from -40 kPa to 500 kPa");
+  EXPECT_EQ(line("injury_intracranial_pressure_lowest"),
+            begin + "from so far -40 kPa to 500 kPa");
+  values.insert(values.end(),
+                {{"coup_pressure", "Pa", 5e5},
+                 {"coup_pressure_time", "s", 1e-3},
+                 {"contrecoup_pressure", "Pa", -3e4},
+                 {"contrecoup_pressure_time", "s", 2e-3}});
+  EXPECT_EQ(line("coup_pressure"),
+            begin + "coup so far 500 kPa at 1 ms, contrecoup -30 kPa at 2 ms");
+  EXPECT_EQ(line("contrecoup_pressure"),
+            begin + "coup 500 kPa at 1 ms, contrecoup so far -30 kPa at 2 ms");
+}
+
 TEST(ContactRecord, KnowsNoEndOfAContactThatLasts)
 {
   ContactRecord record;

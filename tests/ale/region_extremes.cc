@@ -108,6 +108,7 @@ TEST(ExtremeRecord, HasAllStepsSinceTheRowBefore)
     one->add({{0., 6., 0.15, 0., 0.75}});
     const RegionExtremes row = one->take().front();
     EXPECT_EQ(row.least_pressure, -3. - (n_ranks - 1.));
+    EXPECT_TRUE(one->is_least_last(0));
     EXPECT_EQ(row.largest_pressure, std::max(7., 5. + (n_ranks - 1.)));
     EXPECT_EQ(row.shear_strain, 0.2);
     EXPECT_EQ(row.speed, 2.);
@@ -119,5 +120,6 @@ TEST(ExtremeRecord, HasAllStepsSinceTheRowBefore)
     EXPECT_EQ(next.largest_pressure, 2.);
     EXPECT_EQ(next.void_volume, 0.);
     EXPECT_EQ(one->least_pressures().front(), -3. - (n_ranks - 1.));
+    EXPECT_FALSE(one->is_least_last(0));
   }
 }

@@ -180,7 +180,11 @@ def check_extrema(page, files):
         shown = row["value"]
         if quantity == "void_volume":
             shown = shown.replace(" cm³", "·10⁻⁶")
-        require_same(shown, value, f"{quantity} of {row['layer']}")
+        is_limit = "contact_cut_off" in files.found \
+            or when >= files.history["time"][-1]
+        require(shown.startswith(("≤ ", "≥ ")) == is_limit,
+                f"{quantity} of {row['layer']}: {shown}")
+        require_same(shown.lstrip("≤≥ "), value, f"{quantity} of {row['layer']}")
         require_same(row["when"], when, f"time of {quantity}")
     return 2 * len(rows)
 

@@ -286,6 +286,32 @@ class AnswerTest(unittest.TestCase):
                              rf"{words} {limit} \(our line\)\.")
 
 
+    def test_pressures_so_far(self):
+        """An extreme is told as that so far where the contact lasts when the run
+        ends, and where it is at the end."""
+        def told(lasts, falls):
+            run = head_run.HeadRun(OUTPUT)
+            names, values = run.history.names, run.history.values
+            bump = np.sin(np.linspace(0., np.pi, len(values)))
+            for column, name in enumerate(names):
+                if name.startswith("least_pressure"):
+                    values[:, column] = -np.arange(len(values)) if falls \
+                        else -bump
+                elif name.startswith(("largest_", "void_volume")):
+                    values[:, column] = bump
+            run.is_cut_off = lambda: lasts
+            text = str(head_report.answer(run, [])).replace("\u00a0", " ")
+            pressures = re.findall(
+                r"reaches from (\S+ \w+)( so far)? \(.*?\) to (\S+ \w+)( so "
+                r"far)? \(", text)
+            rows = re.findall(r"([≤≥]) [−\d]", str(head_report._extrema(run)))
+            return {(bool(low), bool(high))
+                    for _, low, _, high in pressures}, set(rows)
+        self.assertEqual(told(False, False), ({(False, False)}, set()))
+        self.assertEqual(told(False, True), ({(True, False)}, {"≤"}))
+        self.assertEqual(told(True, False), ({(True, True)}, {"≤", "≥"}))
+
+
 class ParticlesTest(unittest.TestCase):
     """What only a run of particles has, as a report says it."""
 

@@ -675,9 +675,27 @@ class ReportTest(unittest.TestCase):
                 ([of("injury_hic15", 1., True)],
                  "brain not judged (the run ends too early)", "none"),
                 ([lowest, of("injury_hic15", 260., True)],
-                 "brain: HIC15 above the limit of NATO AEP-55", "mid")):
+                 "brain: HIC15 above the limit of NATO AEP-55", "mid"),
+                ([of("injury_intracranial_pressure_lowest", -9e4, True),
+                  of("injury_hic15", 1., False)],
+                 "brain: below all thresholds so far (minimum brain pressure "
+                 "not judged, as the run ends too early)", "none")):
             found = verdict._brain(judged)
             self.assertEqual((str(found), found.kind), (words, kind))
+
+    def test_pressure_of_a_run_that_ends_too_early(self):
+        """A least pressure is at or below what was reached."""
+        name = "injury_intracranial_pressure_lowest"
+        for value, is_certain in ((-9e4, True), (-1.05e5, False),
+                                  (-2e5, True)):
+            entry = injury_table.Judged(
+                name, value, "Pa", injury_thresholds.KNOWN[name], 0.1, "",
+                is_cut=True)
+            self.assertEqual(entry.shown()[:3], "≤ −")
+            self.assertEqual(entry.is_open, value > -1e5)
+            self.assertEqual(entry.is_certain(), is_certain)
+            self.assertIn("minimum brain pressure (in magnitude) is a lower "
+                          "limit", injury_table.cut_off([entry], "End", 3e-3)[0])
 
     def test_error_that_is_unknown(self):
         """The answer says of which measures, and why."""

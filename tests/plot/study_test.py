@@ -62,6 +62,12 @@ class StudyPicturesTest(unittest.TestCase):
         axis, = self.drawn(study_curves.draw_chart, cut).axes
         self.assertEqual([text.xy for text in axis.texts
                           if text.get_text() == "↑"], [(2., 1.)])
+        for row in cut["rows"]:
+            row["columns"][0] *= -1.
+        axis, = self.drawn(study_curves.draw_curves, cut).axes
+        self.assertEqual([text.xy for text in axis.texts
+                          if text.get_text() == "↓"], [(2., -50.)])
+        self.assertIn("↓ cut off", axis.get_title(loc="left"))
 
     def test_curves(self):
         """A line for each mass, gaps where a run failed, units at the axes."""

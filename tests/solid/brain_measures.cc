@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
+#include <tuple>
 
 using namespace contrecoup::solid;
 
@@ -40,6 +42,61 @@ TEST(BrainMeasures, AreLowerLimitsWhileTheStrainOfATwentiethGrows)
       EXPECT_EQ(is_cut(list, name), n_growing == 3) << name;
     EXPECT_FALSE(is_cut(list, "injury_intracranial_pressure_peak"));
   }
+}
+
+
+// Each case has the pressures of two elements over time; expected are marks of
+// the highest pressure, the least one, and fraction and time below -100 kPa.
+TEST(BrainMeasures, AreLowerLimitsOfPressuresThatAreAtTheEnd)
+{
+  using Course = std::vector<double>;
+  struct Case
+  {
+    Course first, second;
+    std::string marks;
+  };
+  for (const auto &[first, second, marks] : std::vector<Case>{
+         {{1e4, 2e4, 0.}, {0., 1e4, -1.}, "0111"},
+         {{1e4, 2e4, 0.}, {0., 3e4, 1e4}, "0000"},
+         {{1e4, 2e4, 1e4}, {0., 1e4, 3e4}, "1000"},
+         // The second rises and falls without being the extreme of all.
+         {{4e4, -3e4, 0.}, {0., 2e4, 3e4}, "0000"},
+         {{4e4, -3e4, 0.}, {0., 0., -2e4}, "0000"},
+         // Tension that is less than before goes on.
+         {{0., -3e5, 0.}, {0., 0., -2e5}, "0011"},
+         {{0., -3e5, -2e5}, {0., 0., 0.}, "0011"},
+         {{0., -3e5, 0.}, {0., 0., 0.}, "0000"},
+         {{0., 0., 0.}, {0., 0., 0.}, "0000"}})
+    for (const bool tension_grows : {false, true})
+    {
+      std::vector<BrainSample> samples(2);
+      for (BrainSample &sample : samples)
+      {
+        sample.volume = 1.;
+        for (const double pressure : &sample == &samples[0] ? first : second)
+          sample.record_pressure(pressure);
+      }
+      std::string found;
+      const auto list =
+        brain_measures(samples, BrainSums(), MPI_COMM_SELF, tension_grows);
+      for (const char *name : {"injury_intracranial_pressure_peak",
+                               "injury_intracranial_pressure_lowest",
+                               "injury_cavitating_fraction",
+                               "injury_cavitation_dose"})
+        found += is_cut(list, name) ? '1' : '0';
+      EXPECT_EQ(found, tension_grows ? marks.substr(0, 1) + "111" : marks)
+        << first[1] << ' ' << second[2];
+    }
+}
+
+
+TEST(InjuryMeasure, TellsOnWhichSideALowerLimitOfItsMagnitudeIs)
+{
+  for (const auto &[value, is_cut, words] :
+       {std::tuple{-2., true, "a <= -2 Pa (none)"},
+        {2., true, "a >= 2 Pa (none)"},
+        {-2., false, "a = -2 Pa (none)"}})
+    EXPECT_EQ(in_words({{"a", "Pa", value}, "none", "", is_cut}), words);
 }
 
 

@@ -137,13 +137,18 @@ def is_lower_limit(row, column):
     return bool(row.get("lower_limits")) and row["lower_limits"][column]
 
 
-def mark_lower_limit(axis, x, y):
-    axis.annotate("↑", (x, y), (0, 3), ha="center", fontsize=11,
-                  textcoords="offset points")
+def mark_lower_limit(axis, x, y, is_negative):
+    """An arrow to where the output may go on to; returns it."""
+    arrow, offset, side = ("↓", -3, "top") if is_negative else (
+        "↑", 3, "baseline")
+    axis.annotate(arrow, (x, y), (0, offset), ha="center", va=side,
+                  fontsize=11, textcoords="offset points")
+    return arrow
 
 
 def draw_curve(axis, study, across, column, lines):
-    """An output over a factor; arrows upwards where it is a lower limit."""
+    """An output over a factor; arrows away from zero where it is a lower
+    limit."""
     found = [value(row, column) for row in study["rows"]]
     found = [number for number in found if number is not None]
     scale, unit = style.scale_unit(study["columns"][column]["unit"] or "-",
@@ -157,11 +162,12 @@ def draw_curve(axis, study, across, column, lines):
                   marker=work_precision.MARKERS[
                       number % len(work_precision.MARKERS)])
     limits = [row for row in study["rows"] if is_lower_limit(row, column)]
-    for row in limits:
-        mark_lower_limit(axis, row["numbers"][across],
-                         value(row, column) * scale)
-    if limits:
-        axis.set_title("↑ cut off by the end of the run", fontsize=8)
+    arrows = {mark_lower_limit(axis, row["numbers"][across],
+                               value(row, column) * scale,
+                               value(row, column) < 0.) for row in limits}
+    if arrows:
+        axis.set_title(f"{' '.join(sorted(arrows))} cut off by the end of the "
+                       "run", fontsize=8)
     reference = study["reference_columns"]
     if reference and reference[column] is not None:
         axis.axhline(reference[column] * scale, color=style.GREY,
@@ -210,7 +216,8 @@ def _draw_chart_of(study, factors, places, columns, folder, name):
         for row in study["rows"]:
             if is_lower_limit(row, column):
                 mark_lower_limit(axis, row["numbers"][across],
-                                 row["numbers"][upwards])
+                                 row["numbers"][upwards],
+                                 value(row, column) < 0.)
         label_x(axis, study["factors"][across], x)
         axis.set_ylabel(factor_label(study["factors"][upwards]))
         if spans(y, LOGARITHMIC_X):

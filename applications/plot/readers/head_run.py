@@ -149,6 +149,11 @@ class HeadRun(Stage):
         return end if end is not None and end < self.history["time"][-1] \
             else None
 
+    def is_so_far(self, when):
+        """Whether an extreme of that time may be exceeded after the run: it is
+        at the end, or the contact lasts then."""
+        return self.is_cut_off() or when >= self.history["time"][-1]
+
     def rebound(self):
         """When the momentum along the plane's normal changes its sign, straight
         between rows; None if it does not."""

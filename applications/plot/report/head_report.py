@@ -108,6 +108,14 @@ def extreme(run, quantity, layer, take):
     return float(column[index]), float(run.history["time"][index])
 
 
+def _reached(run, quantity, layer, take):
+    """An extreme pressure and when it is reached, in words."""
+    value, when = extreme(run, quantity, layer, take)
+    return page.quantity(value, "Pa") + (
+        " so far" if run.is_so_far(when) else "") \
+        + f" ({page.milliseconds(when)})"
+
+
 def largest_force(run):
     """Of the whole head, of running means; and when."""
     force = head_figures.smoothed(run, run.history["contact_force"])
@@ -141,12 +149,10 @@ def answer(run, judged):
     for layer, name in (("csf", "The CSF's pressure"),
                         ("brain", "The brain's")):
         if run.region(layer):
-            low, at_low = extreme(run, "least_pressure", layer, np.argmin)
-            high, at_high = extreme(run, "largest_pressure", layer, np.argmax)
             text.append(
-                f"{name} in single {_carriers(run)} reaches from {page.quantity(low, 'Pa')} "
-                f"({page.milliseconds(at_low)}) to "
-                f"{page.quantity(high, 'Pa')} ({page.milliseconds(at_high)}).")
+                f"{name} in single {_carriers(run)} reaches from "
+                f"{_reached(run, 'least_pressure', layer, np.argmin)} to "
+                f"{_reached(run, 'largest_pressure', layer, np.argmax)}.")
     strain = injury_table.find(judged, "injury_strain_95")
     if strain is not None:
         text.append("95\u00a0% of the brain is strained by less than " + (
@@ -154,7 +160,7 @@ def answer(run, judged):
             if strain.is_own and not strain.is_open else
             f"{page.number(100. * strain.value)}\u00a0%"
             + (f", which means: {strain.meaning()}" if strain.meaning()
-               else "")) + (" up to the end of the run, where strains still grow"
+               else "")) + (" up to the end of the run, where strains may still grow"
                             if strain.is_cut else "") + ".")
     hic = injury_table.find(judged, "injury_hic15")
     if hic is not None:
@@ -428,12 +434,19 @@ def _extrema(run):
                                      "m^3")
             else:
                 shown = page.quantity(value, unit)
+            when = float(run.history["time"][index])
+            if run.is_so_far(when):
+                shown = page.Rounded(page.limit(value) + shown, shown.value,
+                                     shown.unit)
             rows.append((
                 name, "largest void of the whole layer" if unit == "m^3"
                 else quantity.replace("_", " "), shown,
-                page.milliseconds(float(run.history["time"][index]))))
+                page.milliseconds(when)))
     return page.table(("layer", "what", "value", "when"), rows,
-                      numbers=(2, 3))
+                      "≥ and ≤: not the extreme of the whole impact, as it is "
+                      "at the end of the run or the contact lasts then."
+                      if any(row[2].startswith(("≥", "≤")) for row in rows)
+                      else "", numbers=(2, 3))
 
 
 def work_label(run):

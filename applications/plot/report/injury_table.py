@@ -44,7 +44,8 @@ GROUPS = (("Ears", ("ear_",)),
 def cut_off(judged, entry, end):
     """Which measures that could be judged the end of the run [s], or None, makes
     lower limits, and the @p entry that helps."""
-    cut = [one.short_title() for one in judged if one.is_cut and one.thresholds]
+    cut = [one.short_title() + (" (in magnitude)" if one.value < 0. else "")
+           for one in judged if one.is_cut and one.thresholds]
     after = "" if end is None else f", after {page.given(1e3 * end, 'ms')}"
     return [f"The run ends too early{after}: {page.joined(cut)} "
             + ("are lower limits" if len(cut) > 1 else "is a lower limit")
@@ -303,8 +304,10 @@ def table(scene, judged):
         "this scene (see the section on accuracy) and unknown of what that run lacks. "
         "Thresholds are those commonly cited; they and the tissue properties "
         "are less certain than the numerics."
-        + (" ≥: a lower limit, since the run ends too early."
-           if any(entry.is_cut for entry in judged) else "")
+        + (" ≥: a lower limit, since the run ends too early"
+           + ("; ≤: the least value may be lower."
+              if any(entry.is_cut and entry.value < 0. for entry in judged)
+              else ".") if any(entry.is_cut for entry in judged) else "")
         + (" AIS: abbreviated injury scale, 1 (minor) to 6 (untreatable)."
            if any("AIS" in meaning for entry in judged
                   for _, meaning in entry.thresholds) else ""),

@@ -11,8 +11,8 @@ from plot.report import injury_thresholds, page
 class Judged:
     """A measure beside its thresholds. Its error is relative; that of a
     probability is of the measure @p of which follows it by a @p curve. One that
-    the end of the run cuts off is a lower limit. Finer cells may leave a
-    @p least_part of one that goes by the positive phase. What the tables have in
+    the end of the run cuts off is a lower limit of its magnitude. Finer cells
+    may leave a @p least_part of one that goes by the positive phase. What the tables have in
     the open and before a wall, if that is known and beyond all bounds, is in
     `tables`."""
 
@@ -71,7 +71,7 @@ class Judged:
         value = self.value if value is None else value
         if self.is_fraction:
             return page.least_chance(value) if is_limit else page.chance(value)
-        return ("≥ " if is_limit else "") + page.quantity(value, self.unit)
+        return page.limit(value, is_limit) + page.quantity(value, self.unit)
 
     def shown_limit(self, limit):
         """A threshold in words."""
@@ -139,6 +139,8 @@ class Judged:
         error is known."""
         if self.error is None:
             return None
-        bounds = self.bounds()[:1] if self.is_cut else self.bounds()
+        bounds = self.bounds()
+        if self.is_cut:
+            bounds = [min(bounds, key=abs)]
         return all(self.exceeded(bound) == self.exceeded()
                    for bound in bounds)

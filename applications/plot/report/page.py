@@ -211,7 +211,12 @@ def _digits(value, digits):
 
 def at_least(value, is_lower_limit):
     """A number, which may be a lower limit."""
-    return Rounded(("≥ " if is_lower_limit else "") + number(value), value)
+    return Rounded(limit(value, is_lower_limit) + number(value), value)
+
+
+def limit(value, is_lower_limit=True):
+    """The sign before a number whose magnitude is a lower limit."""
+    return "" if not is_lower_limit else "≤ " if value < 0. else "≥ "
 
 
 def count(value):

@@ -36,19 +36,26 @@ namespace
                          : " to " + milliseconds(values.at("contact_end")));
   }
 
+  /// A pressure after @p word, "so far" where it is a lower limit.
+  std::string extreme(const std::string &word,
+                      const std::string &name,
+                      const Values &values)
+  {
+    return word + (values.count(name + "_cut_off") > 0 ? " so far " : " ") +
+           brief(1e-3 * values.at(name), 3) + " kPa";
+  }
+
   std::string pressure_line(const Values &values, const std::string &which)
   {
     std::string line = "Pressure in the brain, " + which + ": ";
     if (values.count("coup_pressure") == 0)
-      return line + "from " +
-             brief(1e-3 * values.at("injury_intracranial_pressure_lowest"), 3) +
-             " to " +
-             brief(1e-3 * values.at("injury_intracranial_pressure_peak"), 3) +
-             " kPa";
-    return line + "coup " + brief(1e-3 * values.at("coup_pressure"), 3) +
-           " kPa at " + milliseconds(values.at("coup_pressure_time")) +
-           ", contrecoup " + brief(1e-3 * values.at("contrecoup_pressure"), 3) +
-           " kPa at " + milliseconds(values.at("contrecoup_pressure_time"));
+      return line +
+             extreme("from", "injury_intracranial_pressure_lowest", values) +
+             extreme(" to", "injury_intracranial_pressure_peak", values);
+    return line + extreme("coup", "coup_pressure", values) + " at " +
+           milliseconds(values.at("coup_pressure_time")) + ", " +
+           extreme("contrecoup", "contrecoup_pressure", values) + " at " +
+           milliseconds(values.at("contrecoup_pressure_time"));
   }
 } // namespace
 
@@ -66,13 +73,12 @@ std::vector<std::string> answer_lines(const std::vector<NamedValue> &results,
   if (values.count("injury_intracranial_pressure_peak") > 0)
     lines.push_back(pressure_line(values, pressures));
   if (values.count("injury_strain_95") > 0)
-    lines.push_back(
-      "95 % of the brain is strained by at most " +
-      brief(100. * values.at("injury_strain_95"), 3) + " %" +
-      (values.count("injury_strain_95_cut_off") == 0
-         ? ""
-         : " up to the end of the run, where strains still grow: a "
-           "later Time/End time gives all of it"));
+    lines.push_back("95 % of the brain is strained by at most " +
+                    brief(100. * values.at("injury_strain_95"), 3) + " %" +
+                    (values.count("injury_strain_95_cut_off") == 0
+                       ? ""
+                       : " up to the end of the run, where strains may still "
+                         "grow: a later Time/End time gives all of it"));
   if (values.count("injury_hic15") > 0)
     lines.push_back("HIC15 " +
                     std::string(values.count("injury_hic15_cut_off") == 0

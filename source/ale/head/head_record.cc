@@ -130,6 +130,10 @@ void HeadRecord::find(const std::vector<Region> &regions,
     own_.require({"injury_bric", "injury_hic15"}, "there is no brain");
   else
     own_.require({}, "there is neither brain nor skull");
+  liquids_.clear();
+  for (std::size_t i = 0; i < regions.size(); ++i)
+    if (std::holds_alternative<Tait>(regions[i].law))
+      liquids_.push_back(i);
   normal_ = planes.empty() ? dealii::Tensor<1, 3>() : planes.front().normal;
 }
 
@@ -181,11 +185,23 @@ void HeadRecord::record_motion(const double time,
 }
 
 
-std::vector<solid::InjuryMeasure>
-HeadRecord::measures(const MPI_Comm communicator) const
+RunEnd HeadRecord::end_at(const double time,
+                          const ContactRecord &contact,
+                          const ExtremeRecord &extremes) const
 {
-  auto list =
-    solid::brain_measures(record_.samples, record_.sums, communicator);
+  return {contact.lasts(time),
+          std::any_of(
+            liquids_.begin(), liquids_.end(), [&](const std::size_t region) {
+              return extremes.is_least_last(region);
+            })};
+}
+
+
+std::vector<solid::InjuryMeasure>
+HeadRecord::measures(const MPI_Comm communicator, const RunEnd &end) const
+{
+  auto list = solid::brain_measures(
+    record_.samples, record_.sums, communicator, end.tension_grows);
   if (!averaged_)
     for (solid::InjuryMeasure &measure : list)
       if (measure.value.unit == "Pa")
@@ -196,19 +212,28 @@ HeadRecord::measures(const MPI_Comm communicator) const
                                : "the skull, at the centre of brain and skull";
   const bool turns =
     std::count(is_mirrored_.begin(), is_mirrored_.end(), true) < 2;
-  for (solid::InjuryMeasure measure : solid::head_motion_measures(
+  for (const solid::InjuryMeasure &measure : solid::head_motion_measures(
          record_.motion, moving + ", until the end of the run"))
   {
+    list.push_back(measure);
+  }
+  for (solid::InjuryMeasure &measure : list)
+  {
+    // A ratio, which does not grow.
+    if (measure.value.name != "injury_pressure_roughness")
+      measure.is_cut = measure.is_cut || end.contact_lasts;
+    if (measure.value.name.rfind("injury_bric", 0) == 0 && !turns)
+      measure.is_cut = false;
     if (measure.value.name == "injury_bric" && !turns)
       measure.limits = "zero, as planes of symmetry keep the head from turning";
-    list.push_back(measure);
   }
   solid::apply(own_, list);
   return list;
 }
 
 
-std::vector<NamedValue> HeadRecord::coup(const MPI_Comm communicator) const
+std::vector<NamedValue> HeadRecord::coup(const MPI_Comm communicator,
+                                         const RunEnd &end) const
 {
   std::vector<NamedValue> result;
   if (brain_ == none || !(normal_.norm() > 0.))
@@ -224,6 +249,9 @@ std::vector<NamedValue> HeadRecord::coup(const MPI_Comm communicator) const
                                  communicator);
     result.push_back({name + "_pressure", "Pa", i == 0 ? size : -size});
     result.push_back({name + "_pressure_time", "s", time});
+    const bool is_last = size > 0. && time == record_.last_time;
+    if (is_last || end.contact_lasts || (i == 1 && end.tension_grows))
+      result.push_back({name + "_pressure_cut_off", "-", 1.});
   }
   return result;
 }
@@ -240,11 +268,12 @@ std::string HeadRecord::pressures_in_words(const bool is_smoothed) const
 
 
 void HeadRecord::write(const std::string &folder,
-                       const MPI_Comm communicator) const
+                       const MPI_Comm communicator,
+                       const RunEnd &end) const
 {
   if (!active())
     return;
-  const auto list = measures(communicator);
+  const auto list = measures(communicator, end);
   if (mpi::this_mpi_process(communicator) == 0)
     io::write_file(folder + "/injury.csv",
                    [&](std::ostream &out) { out << solid::to_csv(list); });

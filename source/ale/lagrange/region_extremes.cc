@@ -20,6 +20,7 @@ void ExtremeRecord::reinit(const std::size_t n_regions,
   is_empty_ = true;
   extremes_.assign(n_regions, RegionExtremes());
   least_pressures_.assign(n_regions, 0.);
+  is_last_.assign(n_regions, 0);
 }
 
 
@@ -52,6 +53,8 @@ std::vector<RegionExtremes> ExtremeRecord::take()
       {-largest[0], largest[1], largest[2], largest[3], own.void_volume});
     least_pressures_[i] =
       std::min(least_pressures_[i], result.back().least_pressure);
+    is_last_[i] = least_pressures_[i] < 0. &&
+                  least_pressures_[i] == result.back().least_pressure;
   }
   is_empty_ = true;
   extremes_.assign(extremes_.size(), RegionExtremes());

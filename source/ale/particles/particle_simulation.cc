@@ -364,10 +364,11 @@ std::vector<NamedValue> ParticleSimulation::results()
     if (value.name.find("area") == std::string::npos)
       values.push_back({"region_" + value.name, value.unit, value.value});
   set_to_whole(values, mesh_.computed_fraction(), mesh_.symmetry_planes());
-  for (const NamedValue &value : head_.coup(communicator_))
+  const RunEnd end = head_.end_at(time_, contact_record_, extremes_);
+  for (const NamedValue &value : head_.coup(communicator_, end))
     values.push_back(value);
   for (const NamedValue &value :
-       solid::values_of(head_.measures(communicator_)))
+       solid::values_of(head_.measures(communicator_, end)))
     values.push_back(value);
   return values;
 }
@@ -375,7 +376,8 @@ std::vector<NamedValue> ParticleSimulation::results()
 
 void ParticleSimulation::finish(const std::string &folder)
 {
-  head_.write(folder, communicator_);
+  head_.write(
+    folder, communicator_, head_.end_at(time_, contact_record_, extremes_));
   const std::string pressures = head_.pressures_in_words(scene_.materials());
   for (const std::string &line :
        answer_lines(results(), !planes_.empty(), pressures))

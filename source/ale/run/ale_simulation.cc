@@ -421,10 +421,11 @@ std::vector<NamedValue> AleSimulation::results()
                  mesh_description_.computed_fraction(),
                  mesh_description_.symmetry_planes());
   }
-  for (const NamedValue &value : head_.coup(communicator_))
+  const RunEnd end = head_.end_at(state_.time, contact_, extremes_);
+  for (const NamedValue &value : head_.coup(communicator_, end))
     values.push_back(value);
   for (const NamedValue &value :
-       solid::values_of(head_.measures(communicator_)))
+       solid::values_of(head_.measures(communicator_, end)))
     values.push_back(value);
   return values;
 }
@@ -448,7 +449,8 @@ std::vector<NamedValue> AleSimulation::checks()
 
 void AleSimulation::finish(const std::string &folder)
 {
-  head_.write(folder, communicator_);
+  head_.write(
+    folder, communicator_, head_.end_at(state_.time, contact_, extremes_));
   for (const std::string &line : answer_lines(
          results(), !planes_.empty(), head_.pressures_in_words(true)))
     show_line(line);

@@ -20,16 +20,22 @@ namespace
   constexpr double tail = 0.05;
 
   /// @param sums volumes: of all, with more than 15 % and 25 % strain, and
-  /// cavitated; then the members of BrainSums; then the volume whose strain
-  /// grows
+  /// cavitated; then the members of BrainSums; then the volumes whose strain
+  /// grows and that are tense
+  /// @param tension_grows whether the least pressure is a lower limit
   void add_parts(const std::vector<double> &sums,
                  const double strain,
+                 const bool tension_grows,
                  std::vector<InjuryMeasure> &list)
   {
     const double volume = sums[0];
-    list.push_back(
-      known_measure("injury_cavitating_fraction", sums[3] / volume));
-    list.push_back(known_measure("injury_cavitation_dose", sums[4] / volume));
+    for (const auto &[name, sum] :
+         {std::pair{"injury_cavitating_fraction", sums[3]},
+          {"injury_cavitation_dose", sums[4]}})
+    {
+      list.push_back(known_measure(name, sum / volume));
+      list.back().is_cut = tension_grows || sums[8] > 0.;
+    }
     if (sums[6] > 0.)
       list.push_back(known_measure("injury_pressure_roughness",
                                    std::sqrt(sums[5] / sums[6])));
@@ -68,10 +74,12 @@ void record_pressures(const double span,
 std::vector<InjuryMeasure>
 brain_measures(const std::vector<BrainSample> &samples,
                const BrainSums &of_rank,
-               const MPI_Comm communicator)
+               const MPI_Comm communicator,
+               const bool tension_grows)
 {
   std::vector<double> strains, volumes;
-  double peak = 0., lowest = 0.;
+  // Highest pressure and tension, and those that are the last ones.
+  std::vector<double> extremes(4, 0.);
   std::vector<double> sums{0.,
                            0.,
                            0.,
@@ -79,6 +87,7 @@ brain_measures(const std::vector<BrainSample> &samples,
                            of_rank.cavitation_dose,
                            of_rank.fluctuation_square,
                            of_rank.average_square,
+                           0.,
                            0.};
   for (const BrainSample &sample : samples)
   {
@@ -90,18 +99,33 @@ brain_measures(const std::vector<BrainSample> &samples,
     sums[3] +=
       sample.lowest_pressure < cavitation_pressure ? sample.volume : 0.;
     sums[7] += sample.strain_grows ? sample.volume : 0.;
-    peak = std::max(peak, sample.peak_pressure);
-    lowest = std::min(lowest, sample.lowest_pressure);
+    sums[8] += sample.is_tense ? sample.volume : 0.;
+    const std::array<double, 4> found{
+      {sample.peak_pressure,
+       -sample.lowest_pressure,
+       sample.pressure_rises ? sample.peak_pressure : 0.,
+       sample.pressure_falls ? -sample.lowest_pressure : 0.}};
+    for (unsigned int k = 0; k < found.size(); ++k)
+      extremes[k] = std::max(extremes[k], found[k]);
   }
   mpi::sum(sums, communicator, sums);
+  mpi::max(extremes, communicator, extremes);
   std::vector<InjuryMeasure> list;
   if (!(sums[0] > 0.))
     return list;
-  list.push_back(known_measure("injury_intracranial_pressure_peak",
-                               mpi::max(peak, communicator)));
-  list.push_back(known_measure("injury_intracranial_pressure_lowest",
-                               mpi::min(lowest, communicator)));
-  add_parts(sums, percentile(strains, volumes, 1. - tail, communicator), list);
+  const auto is_last = [&](const unsigned int k) {
+    return extremes[k] > 0. && extremes[k] == extremes[k + 2];
+  };
+  list.push_back(
+    known_measure("injury_intracranial_pressure_peak", extremes[0]));
+  list.back().is_cut = is_last(0);
+  list.push_back(
+    known_measure("injury_intracranial_pressure_lowest", 0. - extremes[1]));
+  list.back().is_cut = tension_grows || is_last(1);
+  add_parts(sums,
+            percentile(strains, volumes, 1. - tail, communicator),
+            list.back().is_cut,
+            list);
   return list;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/base/system/text.h>
 #include <contrecoup/numerics/injury/injury_criteria.h>
 #include <contrecoup/solid/injury/injury_measure.h>
 
@@ -11,6 +12,17 @@ InjuryMeasure known_measure(const std::string &name, const double value)
   const InjuryCriterion &criterion = injury_criterion(name);
   return {
     {name, criterion.unit, value}, criterion.in_words(), criterion.limits};
+}
+
+
+std::string in_words(const InjuryMeasure &measure)
+{
+  const NamedValue &value = measure.value;
+  const std::string sign = !measure.is_cut    ? " = "
+                           : value.value < 0. ? " <= "
+                                              : " >= ";
+  return value.name + sign + brief(value.value) + " " + value.unit + " (" +
+         measure.threshold + ")";
 }
 
 

@@ -10,6 +10,8 @@
 #include <contrecoup/solid/body/tissue_measures.h>
 #include <contrecoup/solid/record/peak_fields.h>
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <sstream>
 #include <unordered_map>
@@ -24,6 +26,16 @@ namespace
     std::uint32_t cell; ///< in the whole mesh
     std::array<float, 4> peaks;
   };
+
+  /// Extends an extreme, and @p newest by its magnitude if it changes.
+  void
+  extend(const bool is_beyond, const float value, float &extreme, float &newest)
+  {
+    if (!is_beyond)
+      return;
+    extreme = value;
+    newest = std::max(newest, std::abs(value));
+  }
 
 } // namespace
 
@@ -87,6 +99,7 @@ void PeakFields<Real>::reinit(const SolidBody<Real> &body)
   averages_.assign(body.mesh().tissues.size(), {});
   for (unsigned int k = 0; k < averages_.size(); ++k)
     averages_[k].reinit(body.mesh(), body.exchange(), k);
+  newest_.assign(averages_.size(), {});
   n_steps_ = 0;
 }
 
@@ -99,16 +112,19 @@ void PeakFields<Real>::record(const SolidBody<Real> &body)
   std::vector<float> pressures(body.mesh().elements.size(), 0.F);
   for (unsigned int k = 0; k < averages_.size(); ++k)
   {
+    std::array<float, n_fields> &newest = newest_[k];
+    newest = {};
     body.elements().visit_active(
       body.nodes(),
       body.times(),
       [&](const std::uint32_t cell, const ElementValues &element) {
         pressures[cell] = static_cast<float>(pressure_of(element.stress));
-        float &stress = fields_[2][cell], &strain = fields_[3][cell];
-        stress =
-          std::max(stress, static_cast<float>(von_mises(element.stress)));
-        strain =
+        float &largest = fields_[2][cell], &strain = fields_[3][cell];
+        const auto stress = static_cast<float>(von_mises(element.stress));
+        extend(stress > largest, stress, largest, newest[2]);
+        const auto raised =
           static_cast<float>(raised_to_principal(strain, element.strain));
+        extend(raised > strain, raised, strain, newest[3]);
       },
       k);
     const std::vector<std::uint32_t> &elements = averages_[k].elements();
@@ -122,8 +138,8 @@ void PeakFields<Real>::record(const SolidBody<Real> &body)
       const auto pressure = static_cast<float>(values[i]);
       float &highest = fields_[0][elements[i]],
             &lowest = fields_[1][elements[i]];
-      highest = std::max(highest, pressure);
-      lowest = std::min(lowest, pressure);
+      extend(pressure > highest, pressure, highest, newest[0]);
+      extend(pressure < lowest, pressure, lowest, newest[1]);
     }
   }
 }
@@ -142,13 +158,14 @@ PeakFields<Real>::measures(const SolidBody<Real> &body) const
     {
       // All fields but the lowest pressure start from zero and grow.
       const float sign = n == 1 ? -1.F : 1.F;
-      float extreme = 0.F;
+      std::vector<float> found{0.F, newest_[k][n]};
       for (const std::uint32_t cell : elements)
-        extreme = std::max(extreme, sign * fields_[n][cell]);
-      list.push_back(
-        {tissue_column(names[n], tissue),
-         units[n],
-         sign * dealii::Utilities::MPI::max(extreme, body.communicator())});
+        found[0] = std::max(found[0], sign * fields_[n][cell]);
+      dealii::Utilities::MPI::max(found, body.communicator(), found);
+      const std::string name = tissue_column(names[n], tissue);
+      list.push_back({name, units[n], sign * found[0]});
+      if (found[0] > 0.F && found[1] == found[0])
+        list.push_back({name + "_cut_off", "-", 1.});
     }
     std::vector<double> strains;
     for (const std::uint32_t cell : elements)

@@ -383,9 +383,7 @@ void SolidSimulation<Real>::report_injury(const std::string &folder)
     return;
   const auto measures = injury_.measures(body_);
   for (const InjuryMeasure &measure : measures)
-    show_line("  " + measure.value.name + (measure.is_cut ? " >= " : " = ") +
-              brief(measure.value.value) + " " + measure.value.unit + " (" +
-              measure.threshold + ")");
+    show_line("  " + in_words(measure));
   if (dealii::Utilities::MPI::this_mpi_process(communicator_) == 0)
     io::write_file(folder + "/injury.csv",
                    [&](std::ostream &out) { out << to_csv(measures); });

@@ -4,6 +4,8 @@
 #pragma once
 
 #include <contrecoup/ale/lagrange/contact_planes.h>
+#include <contrecoup/ale/lagrange/contact_record.h>
+#include <contrecoup/ale/lagrange/region_extremes.h>
 #include <contrecoup/ale/mesh/region.h>
 #include <contrecoup/ale/mesh/symmetry_planes.h>
 #include <contrecoup/numerics/injury/own_thresholds.h>
@@ -18,6 +20,13 @@
 
 namespace contrecoup::ale
 {
+/// What goes on when a run ends, so that what was recorded may still grow.
+struct RunEnd
+{
+  bool contact_lasts = false;
+  bool tension_grows = false; ///< of a liquid
+};
+
 /**
  * Injury measures of a head, from strain and pressure in the brain, and from
  * the motion of the skull, or of the brain in a mesh without skull. Subsection
@@ -62,20 +71,31 @@ public:
     return own_;
   }
 
-  /// Measures recorded so far. Collective.
-  std::vector<solid::InjuryMeasure> measures(const MPI_Comm communicator) const;
+  /// What goes on at @p time [s], of what the run has recorded until then.
+  RunEnd end_at(const double time,
+                const ContactRecord &contact,
+                const ExtremeRecord &extremes) const;
+
+  /// Measures recorded so far: lower limits by @p end, and those that
+  /// brain_measures() and head_motion_measures() mark. Collective.
+  std::vector<solid::InjuryMeasure> measures(const MPI_Comm communicator,
+                                             const RunEnd &end = {}) const;
 
   /// Largest pressure in the half of the brain at the first plane (coup) and
-  /// least one in the other half (contrecoup), with their times; empty without
-  /// brain or plane. Collective.
-  std::vector<NamedValue> coup(const MPI_Comm communicator) const;
+  /// least one in the other half (contrecoup), with their times, and which of
+  /// them are lower limits, as these are at the end or go on by @p end; empty
+  /// without brain or plane. Collective.
+  std::vector<NamedValue> coup(const MPI_Comm communicator,
+                               const RunEnd &end = {}) const;
 
   /// Which pressures of the brain are recorded, as "of single cells".
   /// @param is_smoothed whether averages differ from the pressures themselves
   std::string pressures_in_words(const bool is_smoothed) const;
 
   /// Writes injury.csv into the output folder, if active(). Collective.
-  void write(const std::string &folder, const MPI_Comm communicator) const;
+  void write(const std::string &folder,
+             const MPI_Comm communicator,
+             const RunEnd &end) const;
 
   /// Saves this rank's record to @p folder, or restores it after the regions
   /// were found. @throws InputError for a checkpoint of another scene
@@ -143,7 +163,8 @@ private:
 
   OwnThresholds own_;
   std::string brain_name_, skull_name_;
-  bool averaged_ = true; ///< pressures, over neighbours
+  std::vector<std::size_t> liquids_; ///< region numbers
+  bool averaged_ = true;             ///< pressures, over neighbours
   unsigned int interval_ = 10;
   SymmetryPlanes is_mirrored_{};
   dealii::Tensor<1, 3> normal_;       ///< of the first plane; 0: no plane

@@ -6,6 +6,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <iosfwd>
 #include <limits>
 #include <string>
@@ -64,6 +65,12 @@ public:
     return least_pressures_;
   }
 
+  /// Whether the last row has the least pressure of a region, a tension.
+  bool is_least_last(const std::size_t region) const
+  {
+    return is_last_[region] != 0;
+  }
+
   /// Saves this rank's record.
   void save(std::ostream &out) const;
 
@@ -76,5 +83,6 @@ private:
   bool is_empty_ = true;
   std::vector<RegionExtremes> extremes_; ///< since the last row
   std::vector<double> least_pressures_;
+  std::vector<std::uint8_t> is_last_; ///< by region: the last row has these
 };
 } // namespace contrecoup::ale

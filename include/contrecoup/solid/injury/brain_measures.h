@@ -26,9 +26,14 @@ constexpr double cavitation_pressure = -100e3;
 /// Extreme values that one element or particle of the brain over time.
 struct BrainSample
 {
-  std::uint32_t cell = 0;         ///< number in the whole mesh
-  std::uint32_t strain_grows = 0; ///< whether the last strain is the largest
-  double volume = 0.;             ///< [m^3]
+  std::uint32_t cell = 0; ///< number in the whole mesh
+  /// Whether the last strain is the largest, the last pressure the highest, the
+  /// least one, and below cavitation_pressure.
+  bool strain_grows = false;
+  bool pressure_rises = false;
+  bool pressure_falls = false;
+  bool is_tense = false;
+  double volume = 0.; ///< [m^3]
   double peak_strain = 0.;
   double peak_pressure = 0.;
   double lowest_pressure = 0.;
@@ -43,6 +48,9 @@ struct BrainSample
   /// Updates the extreme pressures.
   void record_pressure(const double pressure)
   {
+    pressure_rises = pressure > peak_pressure;
+    pressure_falls = pressure < lowest_pressure;
+    is_tense = pressure < cavitation_pressure;
     peak_pressure = std::max(peak_pressure, pressure);
     lowest_pressure = std::min(lowest_pressure, pressure);
   }
@@ -73,13 +81,19 @@ void record_pressures(const double span,
                       std::vector<BrainSample> &samples,
                       BrainSums &sums);
 
-/// Injury measures from the samples of all ranks; empty without samples. Those
-/// of strain are lower limits where the strain of more than a twentieth of the
-/// brain still grows. Collective.
+/**
+ * Injury measures from the samples of all ranks; empty without samples.
+ * Collective. Those of strain are lower limits where the strain of more than a
+ * twentieth of the brain still grows, extreme pressures where they are the last
+ * ones, and fraction and time at low pressure where the least pressure is a
+ * lower limit or some pressure is low at the end.
+ * @param tension_grows whether the least pressure is a lower limit anyway
+ */
 std::vector<InjuryMeasure>
 brain_measures(const std::vector<BrainSample> &samples,
                const BrainSums &sums,
-               const MPI_Comm communicator);
+               const MPI_Comm communicator,
+               const bool tension_grows = false);
 
 /// Rigid motion of the head over time.
 struct HeadMotion

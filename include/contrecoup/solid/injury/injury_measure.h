@@ -17,11 +17,16 @@ struct InjuryMeasure
   NamedValue value;
   std::string threshold; ///< including its source
   std::string limits;    ///< limits of its validity
-  bool is_cut = false;   ///< a lower limit: the run ends too early
+  /// A lower limit, of the magnitude: the run ends too early.
+  bool is_cut = false;
 };
 
 /// A measure with what injury_criterion() knows of its name.
 InjuryMeasure known_measure(const std::string &name, double value);
+
+/// The measure for the screen, with >= or <= where it is a lower limit of its
+/// magnitude.
+std::string in_words(const InjuryMeasure &measure);
 
 /// Values for a summary; of each lower limit also "NAME_cut_off", which is 1.
 std::vector<NamedValue> values_of(const std::vector<InjuryMeasure> &measures);

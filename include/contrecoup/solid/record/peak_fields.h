@@ -47,7 +47,8 @@ public:
 
   /// For each tissue, as "highest_pressure_brain": the extreme values over its
   /// elements and, as "principal_strain_95_brain", the volume-weighted 95th
-  /// percentile of the elements' largest principal strain. Collective.
+  /// percentile of the elements' largest principal strain. Of an extreme that
+  /// is of the last evaluation also "NAME_cut_off", which is 1. Collective.
   std::vector<NamedValue> measures(const SolidBody<Real> &body) const;
 
   /// Field @p number of names, by local element.
@@ -68,5 +69,7 @@ private:
   std::uint64_t n_steps_ = 0;
   std::vector<TissueAverage> averages_; ///< by tissue
   std::array<std::vector<float>, n_fields> fields_;
+  /// By tissue: magnitudes of the extremes that the last evaluation changed.
+  std::vector<std::array<float, n_fields>> newest_;
 };
 } // namespace contrecoup::solid
