@@ -697,6 +697,27 @@ class ReportTest(unittest.TestCase):
             self.assertIn("minimum brain pressure (in magnitude) is a lower "
                           "limit", injury_table.cut_off([entry], "End", 3e-3)[0])
 
+    def test_what_follows_from_a_lower_limit(self):
+        """The value of a coarser run that ends as early, and probabilities."""
+        scene = types.SimpleNamespace(
+            coarser=True, asks_for_loads=lambda: False,
+            has_own_mesh=lambda: False)
+        for is_cut, sign in ((True, "≥ "), (False, "")):
+            hic, csdm = (injury_table.Judged(
+                name, value, "-", injury_thresholds.KNOWN[name], 0.36, "",
+                coarser, is_cut=is_cut, is_coarser_cut=is_cut)
+                         for name, value, coarser in (
+                             ("injury_hic15", 251., 33.8),
+                             ("injury_csdm_15", 0., 0.)))
+            chances = list(injury_table._chances(hic))
+            self.assertEqual(len(chances), 3)
+            for words in chances:
+                self.assertEqual(": ≥ " in words, is_cut, words)
+            rows = str(error_estimate.section(scene, [hic, csdm])).replace(
+                "\u00a0", " ")
+            for words in ("33.8<", "251<", "0 %<", "0 % in the coarser run"):
+                self.assertIn(f">{sign}{words}", rows)
+
     def test_error_that_is_unknown(self):
         """The answer says of which measures, and why."""
         known = injury_thresholds.Known("probability of death", [(0.5, "x")],

@@ -130,8 +130,7 @@ def section(scene, judged):
     for entry in judged:
         if entry.error is None:
             continue
-        rows.append((entry.title, "–" if entry.coarser is None
-                     else entry.shown(entry.coarser), entry.shown(),
+        rows.append((entry.title, entry.shown_coarser(), entry.shown(),
                      entry.shown_error()))
     coarser = "The coarser run has cells of twice the size" + (
         ", and no body: your own hexahedra have no coarser mesh, and errors of "

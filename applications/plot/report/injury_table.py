@@ -65,6 +65,7 @@ def judge(scene):
     for name, (measure, known) in _measures_of(
             scene, scene, side, lungs, all_known).items():
         value, other = measure.value, coarser.get(name)
+        is_coarser_cut = other is not None and other[0].is_cut
         other = None if other is None else other[0].value
         error, causes = (None, "") if other is None else error_estimate.of(
             scene, name, value, other)
@@ -93,7 +94,7 @@ def judge(scene):
             error = _at_least(error, load_impulses.difference(scene))
         judged.append(Judged(name, value, measure.unit, known, error, causes,
                              other, curve if of is not None else "", of,
-                             measure.is_cut, least_part))
+                             measure.is_cut, least_part, is_coarser_cut))
     _share_errors(judged)
     ask_tables(scene, judged)
     return judged
@@ -407,5 +408,5 @@ def severity(entry):
 def _chances(entry):
     """Probabilities in words, with their interval."""
     for event, value, bounds in entry.chances():
-        yield f"{event}: {page.chance(value)}" + (
+        yield f"{event}: {entry.shown_chance(value)}" + (
             f" ({page.interval(*bounds)})" if bounds else "")

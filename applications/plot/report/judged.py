@@ -12,18 +12,20 @@ class Judged:
     """A measure beside its thresholds. Its error is relative; that of a
     probability is of the measure @p of which follows it by a @p curve. One that
     the end of the run cuts off is a lower limit of its magnitude. Finer cells
-    may leave a @p least_part of one that goes by the positive phase. What the tables have in
-    the open and before a wall, if that is known and beyond all bounds, is in
-    `tables`."""
+    may leave a @p least_part of one that goes by the positive phase. What the
+    tables have in the open and before a wall, if that is known and beyond all
+    bounds, is in `tables`."""
 
     def __init__(self, name, value, unit, known, error, error_of,
-                 coarser=None, curve="", of=None, is_cut=False, least_part=1.):
+                 coarser=None, curve="", of=None, is_cut=False, least_part=1.,
+                 is_coarser_cut=False):
         self.name, self.value, self.unit = name, value, unit
         self.title, self.thresholds = known.title, known.thresholds
         self.source, self.limits = known.source, known.limits
         self.is_own = known.is_own
         self.coarser, self.error, self.error_of = coarser, error, error_of
         self.curve, self.of, self.is_cut = curve, of, is_cut
+        self.is_coarser_cut = is_coarser_cut
         self.least_part, self.tables = least_part, None
         self.is_fraction = bool(curve) or self.title.startswith("fraction ")
         # A lower limit that exceeds no threshold yet says nothing.
@@ -65,13 +67,23 @@ class Judged:
             yield (event, injury_thresholds.probability(curve, self.value),
                    self.bounds(curve))
 
-    def shown(self, value=None):
-        """The value of this run, or another one, in words."""
-        is_limit = value is None and self.is_cut
+    def shown(self, value=None, is_limit=False):
+        """The value of this run, or another one, which may be a lower limit, in
+        words."""
+        is_limit = is_limit or (value is None and self.is_cut)
         value = self.value if value is None else value
         if self.is_fraction:
             return page.least_chance(value) if is_limit else page.chance(value)
         return page.limit(value, is_limit) + page.quantity(value, self.unit)
+
+    def shown_coarser(self):
+        """The value of the coarser run in words, a dash if unknown."""
+        return "–" if self.coarser is None else self.shown(
+            self.coarser, self.is_coarser_cut)
+
+    def shown_chance(self, value):
+        """A probability that follows from the measure, in words."""
+        return (page.least_chance if self.is_cut else page.chance)(value)
 
     def shown_limit(self, limit):
         """A threshold in words."""
@@ -84,7 +96,7 @@ class Judged:
         if self.error is None:
             return ""
         if not self.value and not self.coarser:
-            return f"{self.shown(self.value)} in the coarser run, too"
+            return f"{self.shown_coarser()} in the coarser run, too"
         if not self.value and self.of is None:
             return f"up to {self.shown(self.bounds()[1])}"
         return page.interval(*self.bounds()) if self.is_fraction \
