@@ -954,14 +954,17 @@ class ReportTest(unittest.TestCase):
                     ("x_high", "wall at x = 0.64 m", "0.449 m"),
                     ("y_high", "open at y = 2 m", "1.6 m"))]
         change_json(folder, "scene.json", lambda facts: facts.update(
-            plan=rows + facts.get("plan", [])))
+            plan=rows + facts.get("plan", []),
+            reflections=facts["reflections"] + [
+                facts["reflections"][0] | {"by": "wall at x = 0.64 m"}]))
         text = text_of(Made(folder).page)
         self.expect(text, "above the ground, detonates", "The domain has a wall at x = 0.64 m, "
                     "0.449 m from the body.", "The blast comes back from the wall "
                     "at x = 0.64 m, 0.449 m from the body: verdicts on life and "
                     "lungs", "side of the domain wall at x = 0.64 m",
-                    "without ground, body and walls", "body and walls may add to "
-                    "impulse and duration")
+                    "without ground, body and walls", "reflections by the "
+                    "ground, wall at x = 0.64 m or body may add to impulse and "
+                    "duration")
         self.assertNotIn("open at y", text)
         self.assertNotIn("comes back from", self.text)
 
@@ -969,7 +972,7 @@ class ReportTest(unittest.TestCase):
         """The tables of a charge on the ground have what the ground adds."""
         folder = self.copy_without("blast/fields", "biomechanics/fields.pvd")
         change_json(folder, "scene.json", lambda facts: (
-            facts.update(height=0.06),
+            facts.update(height=0.06, reflections=[]),
             facts["tables"].update(burst="hemispherical")))
         text = text_of(Made(folder).page)
         self.expect(text, "for a bare charge on the ground with a hemispherical "
