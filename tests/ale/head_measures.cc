@@ -307,6 +307,24 @@ TEST(HeadMeasures, AreLowerLimitsOfARunThatEndsEarly)
   EXPECT_EQ(marks({true, false}), "11111011");
 }
 
+// What was found for blunt impacts holds for them.
+TEST(HeadMeasures, HaveNoLimitsOfABlast)
+{
+  MovedHead head(8, {});
+  std::array<double, 8> strains{};
+  head.stretch(0., strains);
+  head.stretch(1e-3, strains);
+  unsigned int n_pressures = 0;
+  for (const auto &measure : head.measures().measures(MPI_COMM_WORLD, {}))
+  {
+    EXPECT_EQ(measure.limits.find("blast"), std::string::npos)
+      << measure.value.name;
+    n_pressures += measure.limits.find("blunt impacts of several") !=
+                   std::string::npos;
+  }
+  EXPECT_EQ(n_pressures, 1U);
+}
+
 // A contact that lasts, and a liquid whose least pressure is that of the end.
 TEST(HeadMeasures, KnowWhatGoesOnWhenTheRunEnds)
 {

@@ -6,6 +6,7 @@ figures with another last digit are found, and that damaged files are refused in
 one line: head_report_test.py OUTPUT_FOLDER of a run with Output/Pictures."""
 
 import contextlib
+import copy
 import io
 import os
 import re
@@ -285,6 +286,23 @@ class AnswerTest(unittest.TestCase):
             self.assertRegex(text, "strained by less than [^ ]+, which is "
                              rf"{words} {limit} \(our line\)\.")
 
+    def test_pressures_of_an_impact(self):
+        """Thresholds that were found for blunt impacts give a verdict."""
+        run = head_run.HeadRun(OUTPUT)
+        peak = "injury_intracranial_pressure_peak"
+        for value, words in ((203e3, "minor injury"), (1e3, "")):
+            measures = {**head_report.measures(run)}
+            measures[peak] = copy.copy(measures[peak])
+            measures[peak].value, measures[peak].is_cut = value, False
+            with unittest.mock.patch.object(head_report, "measures",
+                                            lambda _, known=measures: known):
+                judged = head_report.judge(run)
+            found = injury_table.find(judged, peak)
+            self.assertTrue(found.has_verdict)
+            self.assertNotIn("blast", found.limits)
+            self.assertEqual(found.meaning(), words)
+            self.assertEqual("203\u00a0kPa: minor injury" in str(
+                head_report.answer(run, judged)), bool(words))
 
     def test_pressures_so_far(self):
         """An extreme is told as that so far where the contact lasts when the run

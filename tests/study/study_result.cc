@@ -240,7 +240,8 @@ TEST_F(FinishedStudy, MarksAContactThatLasts)
         {"contrecoup_pressure_cut_off", {{"value", 1.}, {"unit", "-"}}}}}};
   const std::string text =
     to_markdown(parameters_, evaluate(parameters_, tasks_));
-  EXPECT_NE(text.find("|  | ≥ 9.18 | ≥ 9510 | ≤ -4.17e+04 |"), std::string::npos)
+  EXPECT_NE(text.find("|  | ≥ 9.18 | ≥ 9510 | ≤ -4.17e+04 |"),
+            std::string::npos)
     << text;
 }
 

@@ -3,6 +3,7 @@
 """The sections of the report on a head that hits a plane."""
 
 import os
+import re
 
 import numpy as np
 
@@ -169,6 +170,11 @@ def answer(run, judged):
                     + ("." if hic.is_open else
                        f", {hic.reached()}." if hic.meaning() or hic.is_own
                        else ", below all limits."))
+    beyond = [f"{entry.short_title()} ({entry.shown()}: {entry.meaning()})"
+              for entry in judged if entry not in (strain, hic)
+              and entry.has_verdict and entry.exceeded()]
+    if beyond:
+        text.append(f"Beyond thresholds: {page.joined(beyond)}.")
     end = float(run.history["time"][-1])
     text += injury_table.cut_off(judged, "Time/End time", end)
     return page.tag(
@@ -256,8 +262,8 @@ def _thickness(run, name):
         if entry.lower() == layer and thickness:
             cells = run.found("checks", f"cells_across_{layer}")
             return f"{1e3 * thickness[0]:g} mm thick" + (
-                f", {page.number(cells)} "
-                + ("cells of the grid" if run.has_particles() else "cells")
+                f", {float(f'{cells:.3g}'):g} cell{'s' * (cells != 1.)}"
+                + (" of the grid" if run.has_particles() else "")
                 + " across" if cells is not None else "")
     return "–"
 
@@ -273,21 +279,24 @@ def cuts(run, folder):
     times = page.moments([time for time, _ in chosen])
     where = ("through the middle of the mesh" if run.is_file() else
              "through the head's centre") + f", normal to {through}"
+    solids = [name for name in run.regions if run.is_solid(name)]
+    hard = [name for name in solids if name != "brain"]
     parts = [figure(
         folder, "head_pressure", head_figures.draw_pressure(run, found),
         f"The head cut along its middle above the wall, coloured by the "
         f"pressure after {times}.",
         f"Pressure in a cut {where}, one scale for all times with square-root "
         "colours: red is compression, blue tension. The scale is that of brain "
-        "and CSF, which the skull's pressure goes beyond. "
+        "and CSF" + (f", which the pressure of {page.joined(hard)} goes beyond"
+                     if hard else "") + ". "
         + choice(run, [time for time, _ in chosen]))]
-    if any(run.is_solid(name) for name in run.regions):
+    if solids:
         parts.append(figure(
             folder, "head_shear_strain", head_figures.draw_shear(run, found),
             "The head cut along its middle, coloured by the shear strain of "
             f"its solids after {times}.",
-            "Largest engineering shear strain of brain and skull in the same "
-            "cut, one scale for all times with square-root colours; the CSF "
+            f"Largest engineering shear strain of {page.joined(solids)} in the "
+            "same cut, one scale for all times with square-root colours; the CSF "
             "bears no shear and is pale."))
     if run.region("csf"):
         flow = run.picked_flow(found)
@@ -557,7 +566,9 @@ def energy(run, folder):
 
 def judge(run):
     """Measures of injury.csv beside their thresholds."""
-    all_known = injury_thresholds.known_by(run.parameters)
+    # Thresholds found for blunt impacts are no mere exposure here.
+    all_known = {name: known._replace(is_exposure=False) for name, known in
+                 injury_thresholds.known_by(run.parameters).items()}
     return [injury_table.Judged(
         name, measure.value, measure.unit,
         injury_table.of_file(name, measure, all_known), None, "",
@@ -597,7 +608,10 @@ def assumptions(run):
     known = accuracy.audit_table(run)
     if known:
         parts.append(known)
-    rows = [(name.replace("_", " "), page.number(run.found("checks", name)))
+    rows = [(re.sub(r"\bcsf\b", "CSF", name.replace("_", " ")),
+             f"{float(format(run.found('checks', name), '.3g')):g}"
+             if name.startswith("cells_across") else
+             page.number(run.found("checks", name)))
             for name in run.summary.get("checks") or {}
             if run.found("checks", name) is not None]
     settings = mesh_settings(run)

@@ -228,6 +228,7 @@ HeadRecord::measures(const MPI_Comm communicator, const RunEnd &end) const
       measure.limits = "zero, as planes of symmetry keep the head from turning";
   }
   solid::apply(own_, list);
+  solid::limit_to_impact(list);
   return list;
 }
 

@@ -77,6 +77,8 @@ namespace
     criterion.source =
       data()["sources"].at(measure["source"].get<std::string>());
     criterion.limits = measure["limits"];
+    criterion.limits_of_impact =
+      measure.value("limits_of_impact", criterion.limits);
     criterion.unit = measure["unit"];
     criterion.of = measure["of"];
     criterion.largest =

@@ -55,6 +55,21 @@ void apply(const OwnThresholds &own, std::vector<InjuryMeasure> &measures)
 }
 
 
+void limit_to_impact(std::vector<InjuryMeasure> &measures)
+{
+  for (const std::string &name : injury_measures_of({"head"}))
+    for (InjuryMeasure &measure : measures)
+      if (measure.value.name == name)
+      {
+        const InjuryCriterion &published = injury_criterion(name);
+        if (const auto begin = measure.limits.find(published.limits);
+            begin != std::string::npos)
+          measure.limits.replace(
+            begin, published.limits.size(), published.limits_of_impact);
+      }
+}
+
+
 std::vector<InjuryMeasure> probabilities_of(const InjuryMeasure &measure)
 {
   std::vector<InjuryMeasure> list;

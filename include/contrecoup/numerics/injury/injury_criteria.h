@@ -48,6 +48,7 @@ struct InjuryCriterion
   std::vector<std::pair<double, std::string>> thresholds;
   std::string source;              ///< publication
   std::string limits;              ///< of validity
+  std::string limits_of_impact;    ///< the same without a blast
   std::vector<std::string> curves; ///< names of probabilities by this measure
   std::string unit;                ///< of the measure; "-" for none
   /// What is measured: head, chest, loads at gauges, people in the air, or a

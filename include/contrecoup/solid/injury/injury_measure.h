@@ -34,6 +34,9 @@ std::vector<NamedValue> values_of(const std::vector<InjuryMeasure> &measures);
 /// Replaces the published thresholds of @p measures by the user's own.
 void apply(const OwnThresholds &own, std::vector<InjuryMeasure> &measures);
 
+/// Says the limits of a blunt impact in place of those of a blast.
+void limit_to_impact(std::vector<InjuryMeasure> &measures);
+
 /// The probabilities of injury_criterion() by a measure, as measures
 /// "injury_CURVE"; empty for most.
 std::vector<InjuryMeasure> probabilities_of(const InjuryMeasure &measure);
