@@ -179,11 +179,13 @@ void LoadGauges::parse_parameters(dealii::ParameterHandler &prm,
   std::vector<Landmark> on_body;
   for (const Place &place : places_)
     on_body.push_back({place.name, place.point});
-  const std::string warning =
-    warn_of_thin_parts(body, on_body, std::sqrt(dim) * cell);
   // Trial runs have coarser cells.
-  if (body.is_required() && !warning.empty())
+  const double diagonal = body.is_required() ? std::sqrt(dim) * cell : 0.;
+  const std::string warning = warn_of_thin_parts(body, on_body, diagonal);
+  if (!warning.empty())
     log_line(warning);
+  diagonal_ =
+    std::ldexp(diagonal, int(body.most_levels()) - int(body.levels()));
   records_.assign(places_.size(), {});
 }
 
@@ -199,9 +201,9 @@ void LoadGauges::add_place(const std::string &name,
 }
 
 
-void LoadGauges::find_patch(const unsigned int gauge,
-                            const std::vector<double> &geometry,
-                            std::vector<Contribution> &contributions) const
+double LoadGauges::find_patch(const unsigned int gauge,
+                              const std::vector<double> &geometry,
+                              std::vector<Contribution> &contributions) const
 {
   const Place &place = places_[gauge];
   double sum = 0., nearest_distance = std::numeric_limits<double>::max();
@@ -234,6 +236,7 @@ void LoadGauges::find_patch(const unsigned int gauge,
   }
   for (Contribution &contribution : contributions)
     contribution.weight /= sum;
+  return nearest_distance;
 }
 
 
@@ -245,15 +248,24 @@ void LoadGauges::reinit(const std::vector<double> &geometry,
     is_owned[facet] = 1;
   contributions_.clear();
   patch_sizes_.clear();
+  std::vector<GaugePatch> patches;
   for (unsigned int gauge = 0; gauge < places_.size(); ++gauge)
   {
     std::vector<Contribution> patch;
-    find_patch(gauge, geometry, patch);
+    const double distance = find_patch(gauge, geometry, patch);
+    patches.push_back({places_[gauge].name, {}, distance});
     patch_sizes_.push_back(patch.size());
     for (const Contribution &contribution : patch)
+    {
+      patches.back().facets.push_back(contribution.facet);
       if (is_owned[contribution.facet])
         contributions_.push_back(contribution);
+    }
   }
+  if (diagonal_ > 0. && !geometry.empty())
+    for (const std::string &warning : warn_of_patches(patches, diagonal_))
+      log_line(warning);
+  diagonal_ = 0.; // once
 }
 
 

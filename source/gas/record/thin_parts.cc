@@ -5,6 +5,7 @@
 #include <contrecoup/gas/record/thin_parts.h>
 
 #include <algorithm>
+#include <map>
 
 namespace contrecoup::gas
 {
@@ -46,5 +47,33 @@ std::string warn_of_thin_parts(const RigidBody &body,
                join(thin, ", ") +
                " the body is thinner than the diagonal of a cell, " +
                brief(1e3 * diagonal, 3) + " mm";
+}
+
+
+std::vector<std::string> warn_of_patches(const std::vector<GaugePatch> &patches,
+                                         const double diagonal)
+{
+  std::vector<std::string> lost, warnings, shared;
+  std::map<std::vector<std::size_t>, std::vector<std::string>> names;
+  for (const GaugePatch &patch : patches)
+  {
+    names[patch.facets].push_back(patch.name);
+    if (patch.distance > diagonal)
+      lost.push_back(patch.name);
+  }
+  if (!lost.empty())
+    warnings.push_back(
+      "WARNING: the gas has no skin at " + join(lost, ", ") +
+      ": the nearest is beyond the diagonal of a cell, " +
+      brief(1e3 * diagonal, 3) +
+      " mm, and what gauges read there is of other parts of the body");
+  for (const auto &[facets, same] : names)
+    if (same.size() > 1)
+      shared.push_back(join(same, " and "));
+  if (!shared.empty())
+    warnings.push_back("WARNING: gauges have the same loads, since they fell "
+                       "on the same facets: " +
+                       join(shared, "; "));
+  return warnings;
 }
 } // namespace contrecoup::gas

@@ -399,6 +399,38 @@ TEST(LoadGauges, TextThatNamesNoPlaceIsRefused)
 }
 
 
+// Of facets on one side of the plate only, in cells of 20 mm.
+TEST(LoadGauges, WarnOfPlacesWithoutSkinAndOfSharedFacets)
+{
+  for (const std::string radius : {"0.001", "0.05"})
+    for (const bool is_lost : {false, true})
+    {
+      LoadGauges gauges =
+        make_gauges({"Loads/Gauges=eye: 0.104, 0.216, 0.0005; "
+                     "temple: 0.106, 0.214, 0.0005; far: 0.3, 0, 0.0005; "
+                     "below: 0.3, 0.2, -0.0005",
+                     "Loads/Gauge radius=" + radius});
+      std::vector<double> geometry = plate();
+      if (is_lost)
+        geometry.resize(geometry.size() / 2);
+      testing::internal::CaptureStdout();
+      gauges.reinit(geometry, {});
+      gauges.reinit(geometry, {});
+      const std::string log = testing::internal::GetCapturedStdout();
+      const std::size_t lost =
+        log.find("the gas has no skin at below: the nearest is beyond the "
+                 "diagonal of a cell, 34.6 mm, and");
+      EXPECT_EQ(lost != std::string::npos, is_lost) << log;
+      const std::size_t shared = log.find(
+        "gauges have the same loads, since they fell on the same facets: eye "
+        "and temple\n");
+      EXPECT_EQ(shared != std::string::npos, radius == "0.001") << log;
+      EXPECT_EQ(log.find("the gas has no skin", lost + 1), std::string::npos)
+        << log;
+    }
+}
+
+
 // Cells of 20 mm may have no corner in a plate that is thinner than their
 // diagonal, 34.6 mm.
 TEST(LoadGauges, WarnOfPartsThatCellsMayLose)

@@ -147,12 +147,14 @@ private:
   void add_place(const std::string &name,
                  const dealii::Point<3> &point,
                  const RigidBody &body);
-  void find_patch(const unsigned int gauge,
-                  const std::vector<double> &geometry,
-                  std::vector<Contribution> &contributions) const;
+  /// Returns the distance of the nearest facet of the gauge's side [m].
+  double find_patch(const unsigned int gauge,
+                    const std::vector<double> &geometry,
+                    std::vector<Contribution> &contributions) const;
   void open_file();
 
   double radius_ = 0.;    ///< of patches [m]
+  double diagonal_ = 0.;  ///< of the largest cells at the body; 0: no warnings
   double body_mass_ = 0.; ///< [kg]
   std::vector<Place> places_;
   std::vector<std::size_t> patch_sizes_;    ///< number of facets of each

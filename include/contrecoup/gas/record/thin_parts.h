@@ -5,6 +5,7 @@
 
 #include <contrecoup/gas/conditions/rigid_body.h>
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -18,4 +19,17 @@ namespace contrecoup::gas
 std::string warn_of_thin_parts(const RigidBody &body,
                                const std::vector<Landmark> &places,
                                double diagonal);
+
+/// What a gauge reads.
+struct GaugePatch
+{
+  std::string name;
+  std::vector<std::size_t> facets;
+  double distance = 0.; ///< of the nearest facet of its side [m]
+};
+
+/// Warnings of gauges at which the gas has no skin, since no facet is within
+/// the diagonal of a cell, and of those that read the same facets.
+std::vector<std::string> warn_of_patches(const std::vector<GaugePatch> &patches,
+                                         double diagonal);
 } // namespace contrecoup::gas
