@@ -112,15 +112,18 @@ namespace
   }
 
 
+  constexpr const char *largest_peak = "largest peak";
+
   /// A quantity at the first probe, of peaks that of the first wave, as the
-  /// tables have it; NaN: none.
+  /// tables have it, or largest_peak; NaN: none.
   double value_of(const std::string &folder, const std::string &name)
   {
-    return is_of_injury(name)
-             ? injury_of(folder, name)
-             : result_of(folder,
-                         name == "peak_overpressure" ? "probe_1_first_" + name
-                                                     : "probe_1_" + name);
+    if (is_of_injury(name))
+      return injury_of(folder, name);
+    return result_of(folder,
+                     "probe_1_" + (name == "peak_overpressure" ? "first_" + name
+                                   : name == largest_peak ? "peak_overpressure"
+                                                          : name));
   }
 
 
@@ -133,6 +136,16 @@ namespace
     return result_of(folder, "probe_1_later_peak_overpressure") >
              value_of(folder, "peak_overpressure") &&
            delay >= reflection.least_delay && delay <= reflection.largest_delay;
+  }
+
+
+  /// Whether the first probe has the wave of the answer: it may be elsewhere by
+  /// the user's entry.
+  bool is_beside_body(const TableAnswer &answer, const std::string &folder)
+  {
+    const double reference =
+      result_of(folder, "probe_1_reference_peak_overpressure");
+    return std::abs(reference / answer.in_the_open.overpressure - 1.) < 1e-3;
   }
 
 
@@ -242,42 +255,45 @@ compare_with_tables(const SceneParameters &scene,
   const auto answer = table_answer(scene, layout, body_mass);
   const std::string fine = folder + "/blast",
                     coarse = folder + "/coarser_blast";
-  // The probe may be elsewhere by the user's entry.
-  const double reference =
-    result_of(fine, "probe_1_reference_peak_overpressure");
-  if (!answer || !layout.probe ||
-      !(std::abs(reference / answer->in_the_open.overpressure - 1.) < 1e-3))
+  if (!answer || !layout.probe || !is_beside_body(*answer, fine))
     return {};
   const double error = error_of_tables(scene);
-  // Errors of peak and duration can cancel in what follows from both.
-  const std::string name_of_largest = "probe_1_peak_overpressure";
-  const std::pair<double, double> largest_peaks = {
-    result_of(fine, name_of_largest),
-    has_coarser_run ? result_of(coarse, name_of_largest) : unknown};
-  const double error_of_largest_peak =
-    error_of(largest_peaks.first, largest_peaks.second);
+  const auto values = [&](const std::string &name) {
+    return std::pair<double, double>(
+      value_of(fine, name), has_coarser_run ? value_of(coarse, name) : unknown);
+  };
+  // A merged wave is that of a stronger charge, and earlier. A positive phase
+  // that the end of the run cuts is a lower limit.
+  const bool merges =
+    has_merged(reflections_at_probe(scene, layout, sides, folder));
+  // Reflections may add to the largest peak.
+  const ComparedQuantity largest =
+    compare(largest_peak,
+            "Pa",
+            values(largest_peak),
+            {answer->in_the_open.overpressure, error},
+            unknown,
+            merges || value_of(fine, largest_peak) >
+                        value_of(fine, "peak_overpressure"),
+            false);
   std::vector<ComparedQuantity> list;
   const auto add = [&](const std::string &name,
                        const std::string &unit,
                        const double tables,
                        const bool may_exceed,
                        const bool may_be_less = false) {
-    const double run = value_of(fine, name);
-    if (!std::isfinite(run))
+    if (!std::isfinite(value_of(fine, name)))
       return;
+    // Errors of peak and duration can cancel in what follows from both.
     list.push_back(
       compare(name,
               unit,
-              {run, has_coarser_run ? value_of(coarse, name) : unknown},
+              values(name),
               {tables, error},
-              name == "lung_exposure" ? error_of_largest_peak : unknown,
+              name == "lung_exposure" ? largest.run_error : unknown,
               may_exceed,
               may_be_less));
   };
-  // A merged wave is that of a stronger charge, and earlier. A positive phase
-  // that the end of the run cuts is a lower limit.
-  const bool merges =
-    has_merged(reflections_at_probe(scene, layout, sides, folder));
   const bool is_cut = result_of(fine, "probe_1_cut_off") > 0.;
   add("peak_overpressure", "Pa", answer->in_the_open.overpressure, merges);
   add("impulse", "Pa s", answer->impulse, true, is_cut);
@@ -291,17 +307,7 @@ compare_with_tables(const SceneParameters &scene,
   add("lung_exposure", "-", answer->in_the_open.lung_exposure, true);
   add("lung_lethality", "-", answer->in_the_open.lung_lethality, true);
   add("eardrum_rupture", "-", answer->in_the_open.eardrum_rupture, true);
-  // Eardrums are judged by the largest peak, to which reflections may add.
-  const double first_peak = value_of(fine, "peak_overpressure");
-  judge_probabilities(compare("",
-                              "Pa",
-                              largest_peaks,
-                              {answer->in_the_open.overpressure, error},
-                              unknown,
-                              merges || largest_peaks.first > first_peak,
-                              false)
-                        .differs,
-                      list);
+  judge_probabilities(largest.differs, list);
   return list;
 }
 
