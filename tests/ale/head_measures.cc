@@ -319,8 +319,8 @@ TEST(HeadMeasures, HaveNoLimitsOfABlast)
   {
     EXPECT_EQ(measure.limits.find("blast"), std::string::npos)
       << measure.value.name;
-    n_pressures += measure.limits.find("blunt impacts of several") !=
-                   std::string::npos;
+    n_pressures +=
+      measure.limits.find("blunt impacts of several") != std::string::npos;
   }
   EXPECT_EQ(n_pressures, 1U);
 }
