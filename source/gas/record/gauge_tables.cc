@@ -255,10 +255,10 @@ std::array<double, 5> air_injury_values(const AirBlast &air,
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   if (!(air.blast.peak > 0.) || std::isnan(air.exposure.load))
     return {{unknown, unknown, unknown, unknown, unknown}};
-  const double first_phase = air.exposure.is_among_products() ? unknown
-                             : air.total_impulse > 0.
-                               ? air.blast.impulse / air.total_impulse
-                               : 1.;
+  const double first_phase =
+    air.is_cut || air.exposure.is_among_products() ? unknown
+    : air.total_impulse > 0. ? air.blast.impulse / air.total_impulse
+                             : 1.;
   const auto [shortest, longest] = air.exposure.durations(air.blast.duration);
   const auto injury_of = [&](const double duration) {
     return air_injury(

@@ -357,13 +357,13 @@ std::vector<double> ProbeRasters<dim>::values(const std::size_t i,
   if (!has_injuries())
     return result;
   const ExposureRecord &exposure = probes_.exposures()[i];
-  auto injuries = air_injury_values(
-    {"", blast, probes_.ambient()[i], exposure, probes_.records()[i].running},
-    body_mass_);
-  // Both depend on a duration that is not known before the blast is over.
-  for (const unsigned int lungs : {0U, 1U})
-    if (!(probes_.records()[i].end > 0.))
-      injuries[lungs] = std::numeric_limits<double>::quiet_NaN();
+  const auto injuries = air_injury_values({"",
+                                           blast,
+                                           probes_.ambient()[i],
+                                           exposure,
+                                           probes_.records()[i].running,
+                                           is_cut_off(blast, time)},
+                                          body_mass_);
   result.insert(result.end(), injuries.begin(), injuries.end());
   result.push_back(std::isnan(exposure.chest.largest_velocity) ||
                        !(blast.peak > 0.)

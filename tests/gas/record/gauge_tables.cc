@@ -281,11 +281,13 @@ TEST(GaugeTables, TellWhatAWaveDoesToAPersonInTheAir)
   EXPECT_EQ(air_injury_table({{"probe 2", {}, 101325., {}, 0.}}, 70., true),
             "");
 
-  // Where the run cuts the wave off, only the peak is known.
+  // Where the run cuts the wave off, only the peak and a chest are known.
   const auto cut = rows_of(air_injury_table(
-    {{"probe 1", wave, 101325., exposure, 500., true}}, 70., false));
-  ASSERT_EQ(cut.size(), 2U);
+    {{"probe 1", wave, 101325., exposure, 400., true}}, 70., true));
+  ASSERT_EQ(cut.size(), 4U);
   EXPECT_EQ(cut[1], rows[3]);
+  EXPECT_EQ(cut[2][0], "chest_wall_velocity");
+  EXPECT_EQ(cut[3][0], "peak_overpressure");
 
   // The motion of the chest and the 4 psi of training where they are asked for.
   ExposureRecord unknown;

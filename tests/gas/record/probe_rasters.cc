@@ -264,6 +264,8 @@ TEST(ProbeRasters, MarkVelocitiesThatTheEndCutsOff)
       const io::VtkInput plane(folder + "/gauges_plane_1.vti");
       EXPECT_EQ(uniform(plane, "chest_wall_velocity_cut_off"),
                 is_cut ? 1. : 0.);
+      for (const char *name : {"lung_exposure", "first_phase_fraction"})
+        EXPECT_EQ(std::isnan(plane.numbers(name)[0]), is_cut) << name;
     }
     std::filesystem::remove_all(folder);
   }

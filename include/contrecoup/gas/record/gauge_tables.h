@@ -66,7 +66,7 @@ struct AirBlast
   ExposureRecord exposure;
   double total_impulse = 0.; ///< of all positive phases so far [Pa s]
   /// Whether the run ends before the positive phase does: injuries of lungs
-  /// are then not known.
+  /// and the part of the impulse in this phase are then not known.
   bool is_cut = false;
 };
 
@@ -81,9 +81,9 @@ extern const std::vector<std::pair<std::string, std::string>>
  * largest velocity of the chest wall under the overpressure at the place; and
  * the part of the positive impulse that the first positive phase has, 1 in a
  * simple wave, for which alone the lung exposure is defined, and none among
- * products. Not a number where
- * no blast has arrived and where nobody stands, see ExposureRecord; of lungs,
- * where the blast is cut off, too.
+ * products. Not a number where no blast has arrived and where nobody stands,
+ * see ExposureRecord; of lungs and first phase, where the blast is cut off,
+ * too.
  *
  * @param body_mass for the lung exposure [kg]
  */
