@@ -121,14 +121,15 @@ def _draw_probe(axis, table, name, known, colour):
 
 
 def _draw_reference(axis, known, time_factor, factor, unit):
-    """A cross at arrival and peak, and Friedlander's curve through them with
-    the reference's duration and impulse."""
+    """A cross at arrival and peak, which the title tells, and Friedlander's
+    curve through them with the reference's duration and impulse."""
     arrival = known["arrival"] * time_factor
     peak = known["peak_overpressure"] * factor
     axis.plot([arrival], [peak], marker="x", markersize=7,
               markeredgewidth=1.5, color="black", linestyle="none")
-    axis.annotate(f"{peak:.3g} {unit}", (arrival, peak), (-8, -4),
-                  textcoords="offset points", fontsize=9, ha="right")
+    # Beside the cross of an early arrival are the axis and its ticks.
+    axis.set_title(f"reference: {peak:.3g} {unit}", loc="right", fontsize=9,
+                   fontweight="normal")
     if known.get("duration", 0.) > 0. and known.get("impulse", 0.) > 0.:
         decay = _friedlander_decay(
             known["impulse"] / (known["peak_overpressure"]
