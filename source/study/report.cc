@@ -3,6 +3,7 @@
 
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/io/file/file_format.h>
+#include <contrecoup/io/run/plan_table.h>
 #include <contrecoup/study/report.h>
 
 #include <nlohmann/json.hpp>
@@ -270,8 +271,7 @@ std::string to_markdown(const StudyParameters &parameters,
       << "` on `"
       << std::filesystem::path(parameters.parameter_file).filename().string()
       << "`, " << parameters.design.kind << ", " << result.rows.size()
-      << " variants, " << parameters.ranks
-      << (parameters.ranks == 1 ? " rank" : " ranks") << " each. ";
+      << " variants, " << io::counted_ranks(parameters.ranks) << " each. ";
   if (parameters.error.is_active())
     out << "Best: no other variant has both a smaller error and a smaller "
            "cost.";

@@ -4,6 +4,7 @@
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/log.h>
 #include <contrecoup/base/system/text.h>
+#include <contrecoup/io/run/plan_table.h>
 #include <contrecoup/study/study.h>
 #include <contrecoup/study/study_result.h>
 
@@ -153,7 +154,8 @@ void Study::check() const
   const auto forecasts = forecast_variants(
     application_, tasks_, n_asked, parameters_.cores, with_trials);
   show_line("study would run " + std::to_string(tasks_.size()) + " times " +
-            application_.name() + " on " + parameters_.parameter_file + ":");
+            application_.name() + " on " + parameters_.parameter_file +
+            ", each on " + io::counted_ranks(parameters_.ranks) + ":");
   for (const Factor &factor : parameters_.factors)
     show_line("  " + factor.name + ": " +
               (factor.is_range

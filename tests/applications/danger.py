@@ -202,7 +202,8 @@ ACCEPTED = {
     "anatomy": [
         ("surface in millimetres", "anatomy/quickstart.prm",
          ["Body/Kind=surface", "Body/Surface/File=@MAN@",
-          "Body/Surface/Unit=mm"], ["x 1.756 m"], []),
+          "Body/Surface/Unit=mm"], ["x 1.756 m", "on 1 rank, with output in"],
+         []),
         ("surface in metres by its scale", "anatomy/quickstart.prm",
          ["Body/Kind=surface", "Body/Surface/File=@MAN@", "Body/Scale=0.001"],
          ["x 1.756 m"], []),
@@ -214,8 +215,8 @@ ACCEPTED = {
     "scene": [
         ("the whole", HEAD, [],
          ["stage anatomy:", "stage blast:", "stage biomechanics:",
-          "stage by stage, with output in", "wall time",
-          "blast would run to time"], [tempfile.gettempdir() + "/", ".prm:"]),
+          "on 1 rank stage by stage, with output in", "wall time",
+          "blast would run on 1 rank to time"], [tempfile.gettempdir() + "/", ".prm:"]),
         ("charge on the ground", QUICK,
          ["Charge/Mass=0.2", "Charge/Height=0.032"], ["stage by stage"], []),
         ("charge a little aside", QUICK, ["Charge/Place=2.4, 0.003, 1.27"],

@@ -167,7 +167,8 @@ class JudgementTest(SelfTest):
         self.file = "scenes/first.prm"
         self.accepts("check_files")
         self.rejects("--check wrote", "check_files", flaw="hasty")
-        self.rejects("printed no plan", "check_files", flaw="silent")
+        for flaw in ("silent", "rankless"):
+            self.rejects("printed no plan", "check_files", flaw=flaw)
         self.rejects("not used", "check_files", flaw="thoughtless")
         self.rejects("0 reports are of", "check_files", flaw="nameless")
         self.write("scenes/more/second.prm", "Scenery=second\n")

@@ -370,7 +370,10 @@ TEST(Application, CheckSaysTheCostAndWritesNothing)
   const Result result = run_scene(folder, {"--check"});
   EXPECT_EQ(result.code, 0);
   EXPECT_FALSE(exists(folder));
-  for (const char *word : {"cells", "unknowns", "steps", "memory", "time"})
+  const std::string ranks =
+    n_ranks() == 1 ? " on 1 rank to " : " on 2 ranks to ";
+  for (const char *word :
+       {ranks.c_str(), "cells", "unknowns", "steps", "memory", "time"})
     EXPECT_EQ(result.out.find(word) != std::string::npos, is_first_rank())
       << word;
 }

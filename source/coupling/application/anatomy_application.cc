@@ -71,7 +71,7 @@ namespace coupling
           (body_->own_mesh()
              ? std::string("  in its own hexahedra")
              : "  in hexahedra of " + brief(parameters_.element_size) + " m") +
-          ", with output in " + folder_ + ":");
+          " on 1 rank, with output in " + folder_ + ":");
         for (const std::string &line : io::cost_lines({{"anatomy", cost}}))
           show_line(line);
         for (const std::string &remark : body_->remarks())

@@ -109,8 +109,11 @@ void SceneRun::check()
   });
   if (rows.empty())
     return;
-  show_line("scene would run " + command_.parameter_file +
-            " stage by stage, with output in " + command_.output_folder + ":");
+  const unsigned int ranks =
+    dealii::Utilities::MPI::n_mpi_processes(collective_.communicator());
+  show_line("scene would run " + command_.parameter_file + " on " +
+            io::counted_ranks(ranks) + " stage by stage, with output in " +
+            command_.output_folder + ":");
   for (const std::string &line : io::cost_lines(rows))
     show_line(line);
   show_line("The parameters are valid.");

@@ -136,8 +136,8 @@ namespace io
     show_line(
       description_.name + " would run" +
       (description_.on_cost_estimate ? "" : " " + command_.parameter_file) +
-      " to time " + brief(time_.end_time, 6) + " s, with output in " +
-      folder_.path() + ":");
+      " on " + counted_ranks(n_ranks()) + " to time " +
+      brief(time_.end_time, 6) + " s, with output in " + folder_.path() + ":");
     for (const std::string &line : cost_lines({{description_.name, cost}}))
       show_line(line);
     complete_plan();
@@ -146,6 +146,11 @@ namespace io
       description_.on_cost_estimate ? log_line(line) : show_line(line);
     warn();
     show_line("The parameters are valid.");
+  }
+
+  unsigned int Run::n_ranks() const
+  {
+    return dealii::Utilities::MPI::n_mpi_processes(collective_.communicator());
   }
 
   void Run::complete_plan()
@@ -196,11 +201,9 @@ namespace io
 
   void Run::prepare()
   {
-    const unsigned int ranks =
-      dealii::Utilities::MPI::n_mpi_processes(collective_.communicator());
     show_line(description_.name + " " + version() + " (" + git_revision() +
-              "), " + std::to_string(ranks) +
-              (ranks == 1 ? " rank, " : " ranks, ") + command_.parameter_file);
+              "), " + counted_ranks(n_ranks()) + ", " +
+              command_.parameter_file);
     const TimerScope timer("setup");
     simulation_.set_output_folder(folder_.path());
     if (folder_.resumes())
@@ -319,7 +322,7 @@ namespace io
     summary.state = state_;
     summary.loop_seconds = seconds_since(loop_begin_);
     summary.updates = state_.updates - updates_before_;
-    summary.ranks = dealii::Utilities::MPI::n_mpi_processes(all);
+    summary.ranks = n_ranks();
     summary.first_values = folder_.first_values();
     summary.last_values = folder_.last_values();
     summary.timers = Timers::instance().largest(all);

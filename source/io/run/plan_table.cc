@@ -121,6 +121,11 @@ namespace io
     return aligned_rows(rows);
   }
 
+  std::string counted_ranks(const unsigned int number)
+  {
+    return std::to_string(number) + (number == 1 ? " rank" : " ranks");
+  }
+
   const Assumption *find_assumption(const std::vector<Assumption> &items,
                                     const std::string &name)
   {

@@ -182,7 +182,8 @@ def check():
         return
     if flawed("thoughtless"):
         print("WARNING: Step size is set but not used: Flaw is thoughtless")
-    print("decay would run\nThe parameters are valid.")
+    ranks = "" if flawed("rankless") else " on 1 rank"
+    print(f"decay would run{ranks}\nThe parameters are valid.")
 
 
 def write_manifest(status):

@@ -35,6 +35,7 @@ namespace io
 
   private:
     CostEstimate estimate();
+    unsigned int n_ranks() const;
     void write_check(const CostEstimate &cost);
     /// Gives the plan what only an initial state tells, that of a coarse mesh.
     void complete_plan();

@@ -42,6 +42,9 @@ namespace io
   std::vector<std::string>
   cost_lines(const std::vector<std::pair<std::string, CostEstimate>> &costs);
 
+  /// "1 rank", "2 ranks": those for which costs are told.
+  std::string counted_ranks(unsigned int number);
+
   /// The assumption with this name, or nullptr.
   const Assumption *find_assumption(const std::vector<Assumption> &items,
                                     const std::string &name);
