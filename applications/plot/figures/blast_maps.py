@@ -8,13 +8,17 @@ import os
 
 import matplotlib.pyplot as plt
 import numpy as np
-from matplotlib.colors import LogNorm, Normalize
+from matplotlib.colors import ListedColormap, LogNorm, Normalize
 from matplotlib.ticker import MaxNLocator
 
 from plot.readers import tables
 from plot.figures import injury_maps, style
 
 QUANTITIES = ("peak_overpressure", "impulse", "arrival", "duration")
+# Those that are lower limits at gauges where the field LIMITS is 1; gauges of
+# before 0.2.0 have none.
+OF_PHASE = ("impulse", "duration")
+LIMITS = "cut_off"
 
 
 def take_maps(found):
@@ -23,7 +27,7 @@ def take_maps(found):
     maps = {}
     for name in list(found):
         quantity = found[name][0].quantity
-        if quantity in (*QUANTITIES, *injury_maps.INJURIES,
+        if quantity in (*QUANTITIES, LIMITS, *injury_maps.INJURIES,
                         injury_maps.LIMITS) and name.endswith("_" + quantity):
             stem = name[:-len(quantity) - 1]
             maps.setdefault(stem, {})[quantity] = found.pop(name)[0]
@@ -31,7 +35,8 @@ def take_maps(found):
 
 
 def draw_maps(maps, path):
-    """A panel for each quantity; grey where the blast has not arrived."""
+    """A panel for each quantity; grey where the blast has not arrived, hatched
+    where gauges have lower limits."""
     names = [name for name in QUANTITIES if name in maps]
     first = maps[names[0]]
     figure, axes = four_panels(first)
@@ -40,7 +45,26 @@ def draw_maps(maps, path):
     arrived = maps["arrival"].values > 0. if "arrival" in maps else None
     for axis, name in zip(axes.flat, names):
         _draw_panel(figure, axis, maps[name], arrived)
+        if name in OF_PHASE and LIMITS in maps:
+            hatch_limits(axis, maps[LIMITS])
     style.save(figure, path)
+
+
+def hatch_limits(axis, plane):
+    """Where a field is 1, a gauge at a time, if that is anywhere."""
+    limits = plane.values > 0.5
+    if not np.any(limits):
+        return
+    left, right, bottom, top = plane.extent()
+    rows, columns = limits.shape
+    axis.pcolor(np.linspace(left, right, columns + 1),
+                np.linspace(bottom, top, rows + 1),
+                np.ma.masked_where(~limits, plane.values),
+                cmap=ListedColormap(["none"]), hatch="///",
+                edgecolor="#808080", linewidth=0.)
+    axis.text(0.98, 0.04, "hatched: lower limit (≥)", fontsize=8, ha="right",
+              transform=axis.transAxes, bbox={"facecolor": "white", "pad": 2.,
+                                              "edgecolor": "none"})
 
 
 def four_panels(plane):
@@ -108,7 +132,7 @@ def _draw_contours(axis, plane, values, low, high, spread):
 
 def draw_gauge_lines(folder, pictures):
     """A picture for each line of gauges, each quantity over the distance
-    from its beginning."""
+    from its beginning; lower limits are marks apart from the curve."""
     for path in sorted(glob.glob(os.path.join(folder, "fields",
                                               "gauges_line_*.csv"))):
         name = os.path.basename(path)[:-len(".csv")]
@@ -120,6 +144,7 @@ def _draw_gauge_line(table, path):
     places = np.stack([table[axis] for axis in "xyz" if axis in table])
     way = np.linalg.norm(places - places[:, :1], axis=0)
     arrived = table["arrival"] > 0.
+    cut = arrived & (LIMITS in table and table[LIMITS] > 0.)
     figure, axes = plt.subplots(2, 2, sharex=True, figsize=(8., 5.))
     for axis, name in zip(axes.flat, QUANTITIES):
         values = np.where(arrived, table[name], np.nan)
@@ -129,7 +154,12 @@ def _draw_gauge_line(table, path):
             continue
         factor, unit = style.scale_unit(table.unit(name),
                                         np.nanpercentile(values, 90.))
-        axis.plot(way, values * factor)
+        limits = cut if name in OF_PHASE else np.zeros_like(cut)
+        axis.plot(way, np.where(limits, np.nan, values) * factor)
+        if np.any(limits):
+            axis.plot(way[limits], values[limits] * factor, "^", markersize=4,
+                      fillstyle="none", label="lower limit (≥)")
+            axis.legend()
         axis.set_ylabel(unit)
         if name == "peak_overpressure" and np.nanmin(values) > 0.:
             axis.set_yscale("log")

@@ -5,7 +5,7 @@ of equal probability, and the limit of training."""
 
 import matplotlib.pyplot as plt
 import numpy as np
-from matplotlib.colors import ListedColormap, LogNorm, Normalize
+from matplotlib.colors import LogNorm, Normalize
 from matplotlib.patheffects import withStroke
 
 from plot.figures import blast_maps, style
@@ -99,8 +99,8 @@ def draw(maps, path, own=None):
         _draw_panel(figure, axis, maps[name], _known(maps, name), title,
                     (own or {}).get(name, levels))
     if area_of_limits(maps) > 0.:
-        _hatch(axes.flat[list(PANELS).index("chest_wall_velocity")],
-               maps[LIMITS])
+        blast_maps.hatch_limits(
+            axes.flat[list(PANELS).index("chest_wall_velocity")], maps[LIMITS])
     style.save(figure, path)
 
 
@@ -127,20 +127,6 @@ def _draw_panel(figure, axis, plane, known, title, levels):
     bar.set_label(unit, fontsize=9)
     bar.outline.set_visible(False)
     _draw_levels(axis, plane, values, levels)
-
-
-def _hatch(axis, plane):
-    """Where a field is 1, a gauge at a time."""
-    left, right, bottom, top = plane.extent()
-    rows, columns = plane.values.shape
-    axis.pcolor(np.linspace(left, right, columns + 1),
-                np.linspace(bottom, top, rows + 1),
-                np.ma.masked_where(~(plane.values > 0.5), plane.values),
-                cmap=ListedColormap(["none"]), hatch="///",
-                edgecolor="#808080", linewidth=0.)
-    axis.text(0.98, 0.04, "hatched: lower limit (≥)", fontsize=8, ha="right",
-              transform=axis.transAxes, bbox={"facecolor": "white", "pad": 2.,
-                                              "edgecolor": "none"})
 
 
 def _draw_levels(axis, plane, values, levels):

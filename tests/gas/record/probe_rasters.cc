@@ -166,7 +166,7 @@ TEST(ProbeRasters, WriteLinesAndPlanes)
   std::getline(line, text);
   EXPECT_EQ(text,
             "x [m],y [m],z [m],peak_overpressure [Pa],impulse [Pa s],"
-            "arrival [s],duration [s]");
+            "arrival [s],duration [s],cut_off [-]");
   unsigned int n_rows = 0;
   while (std::getline(line, text))
   {
@@ -174,21 +174,23 @@ TEST(ProbeRasters, WriteLinesAndPlanes)
     std::stringstream words(text);
     for (std::string word; std::getline(words, word, ',');)
       row.push_back(std::stod(word));
-    ASSERT_EQ(row.size(), 7U);
+    ASSERT_EQ(row.size(), 8U);
     EXPECT_NEAR(row[0], 0.1 + 0.1 * n_rows, 1e-8);
     // Off by half a subcell at most, where probes stand at a leaf's rim.
     EXPECT_NEAR(row[3], 1e5 * row[0], 1e5 / 64.);
     EXPECT_NEAR(row[4], 1e-3 * row[3], 1e-8 * row[3]);
     EXPECT_NEAR(row[5], 1.5e-3, 1e-9);
     EXPECT_NEAR(row[6], 0.5e-3, 1e-9);
+    EXPECT_EQ(row[7], 1.);
     ++n_rows;
   }
   EXPECT_EQ(n_rows, 9U);
   const io::VtkInput plane(folder + "/gauges_plane_1.vti");
   EXPECT_EQ(plane.extent(), "0 3 0 0 0 4");
-  EXPECT_EQ(plane.names(),
-            (std::vector<std::string>{
-              "peak_overpressure", "impulse", "arrival", "duration"}));
+  EXPECT_EQ(
+    plane.names(),
+    (std::vector<std::string>{
+      "peak_overpressure", "impulse", "arrival", "duration", "cut_off"}));
   const auto peaks = plane.numbers("peak_overpressure");
   ASSERT_EQ(peaks.size(), 20U);
   for (unsigned int i = 0; i < 20; ++i)
@@ -262,8 +264,8 @@ TEST(ProbeRasters, MarkVelocitiesThatTheEndCutsOff)
     if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
     {
       const io::VtkInput plane(folder + "/gauges_plane_1.vti");
-      EXPECT_EQ(uniform(plane, "chest_wall_velocity_cut_off"),
-                is_cut ? 1. : 0.);
+      for (const char *name : {"cut_off", "chest_wall_velocity_cut_off"})
+        EXPECT_EQ(uniform(plane, name), is_cut ? 1. : 0.) << name;
       for (const char *name : {"lung_exposure", "first_phase_fraction"})
         EXPECT_EQ(std::isnan(plane.numbers(name)[0]), is_cut) << name;
     }
@@ -299,7 +301,7 @@ TEST(ProbeRasters, ChestsAreUnknownWhereAnEarlierStageHadTheBlast)
     std::getline(line, text);
     EXPECT_EQ(text,
               "x [m],y [m],peak_overpressure [Pa],impulse [Pa s],arrival [s],"
-              "duration [s],lung_exposure [-],lung_lethality [-],"
+              "duration [s],cut_off [-],lung_exposure [-],lung_lethality [-],"
               "eardrum_rupture [-],chest_wall_velocity [m/s],"
               "first_phase_fraction [-],chest_wall_velocity_cut_off [-]");
     std::getline(line, text);
@@ -309,12 +311,13 @@ TEST(ProbeRasters, ChestsAreUnknownWhereAnEarlierStageHadTheBlast)
     for (std::string word; std::getline(words, word, ',');)
       row.push_back(std::stod(word));
     // 78.5 kg are the default.
-    EXPECT_NEAR(row[6],
+    EXPECT_EQ(row[6], 0.);
+    EXPECT_NEAR(row[7],
                 standing_load(100e3, 101325.) /
                   lung_median_lethal_overpressure(2e-3, 78.5, 101325.),
                 1e-6);
     std::getline(line, text);
-    EXPECT_EQ(text, "0.9,0.5,nan,nan,nan,nan,nan,nan,nan,nan,nan,nan");
+    EXPECT_EQ(text, "0.9,0.5,nan,nan,nan,nan,nan,nan,nan,nan,nan,nan,nan");
   }
   std::filesystem::remove_all(folder);
 }
