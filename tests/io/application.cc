@@ -271,11 +271,25 @@ TEST(Application, SummaryIsOfAllStarts)
   EXPECT_NE(weight["measured"], 1.);
   EXPECT_TRUE(!is_first_rank() || json["warnings"] == Json{"the spring creaks"})
     << json["warnings"];
-  EXPECT_GE(json["wall_seconds"],
-            before["wall_seconds"].get<double>() +
-              json["performance"]["wall_seconds"].get<double>());
-  EXPECT_GE(json["performance"]["core_seconds"], before["core_seconds"]);
-  EXPECT_GE(json["performance"]["peak_memory_bytes"], before["peak_memory"]);
+  const Json &performance = json["performance"];
+  const double loop = performance["wall_seconds"];
+  EXPECT_GT(json["wall_seconds"], before["wall_seconds"]);
+  EXPECT_GT(json["wall_seconds"], loop);
+  EXPECT_GT(loop, before["loop_seconds"]);
+  EXPECT_GT(before["loop_seconds"], 0.);
+  EXPECT_GE(performance["core_seconds"], before["core_seconds"]);
+  EXPECT_GE(performance["peak_memory_bytes"], before["peak_memory"]);
+  EXPECT_GT(json["timers"]["advance"], before["timers"]["advance"]);
+  // Cells times steps, of all starts.
+  const double updates = performance["updates"];
+  EXPECT_EQ(updates / json["steps"].get<double>(),
+            first["performance"]["updates"].get<double>() / 17.);
+  EXPECT_NEAR(
+    performance["updates_per_second"], updates / loop, 1e-9 * updates);
+  EXPECT_NEAR(performance["updates_per_second_per_core"].get<double>() *
+                n_ranks(),
+              updates / loop,
+              1e-9 * updates / loop);
   // A later end is another run for the plan.
   remove(folder);
   const std::string keep = "Output/Checkpoint at the end=true";

@@ -39,10 +39,10 @@ TEST(Summary, IsValidJsonWhateverTheNumbers)
   summary.errors = {{"density_L1", "", std::nan("")},
                     {"density_L2", "", INFINITY},
                     {"density_Linf", "", 0.1}};
-  summary.timers = {{"flux", 1.5}};
-  summary.ranks = 2;
-  summary.updates = 100.;
-  summary.loop_seconds = 5.;
+  summary.starts.timers = {{"flux", 1.5}};
+  summary.state.updates = 100.;
+  summary.starts.loop_seconds = 5.;
+  summary.starts.loop_rank_seconds = 10.;
   const Json json = Json::parse(to_text(summary));
   EXPECT_TRUE(json["errors"]["density_L1"].is_null());
   EXPECT_TRUE(json["errors"]["density_L2"].is_null());

@@ -47,13 +47,6 @@ namespace io
                          : std::string(Stopped(signal).what()) +
                              "; --resume goes on from here";
     }
-
-    double seconds_since(const std::chrono::steady_clock::time_point begin)
-    {
-      return std::chrono::duration<double>(std::chrono::steady_clock::now() -
-                                           begin)
-        .count();
-    }
   } // namespace
 
   Run::Run(const CommandLine &command,
@@ -217,7 +210,6 @@ namespace io
       collective_.run([&]() { simulation_.restore(checkpoint); },
                       ExitCode::bad_input);
       state_ = folder_.resume();
-      updates_before_ = state_.updates;
       show_line("resumed from " + checkpoint + ", step " +
                 std::to_string(state_.step) + ", time " +
                 brief(state_.time, 6) + " s");
@@ -249,7 +241,7 @@ namespace io
     estimate();
     prepare();
 
-    loop_begin_ = std::chrono::steady_clock::now();
+    folder_.begin_loop();
     RunLoop loop(time_, simulation_, folder_, collective_);
     bool is_drawn = true;
     try
@@ -320,19 +312,19 @@ namespace io
     summary.status = status;
     summary.message = message;
     summary.state = state_;
-    summary.loop_seconds = seconds_since(loop_begin_);
-    summary.updates = state_.updates - updates_before_;
     summary.ranks = n_ranks();
     summary.first_values = folder_.first_values();
     summary.last_values = folder_.last_values();
-    summary.timers = Timers::instance().largest(all);
     summary.plan = plan_;
     if (status != "failed")
       collective_.run([&]() { describe(simulation_, summary); });
     else
       std::tie(summary.cells, summary.unknowns) = simulation_.size();
     summary.starts = folder_.starts();
-    log_line(Timers::instance().table(all, seconds_since(begin_)));
+    const std::chrono::duration<double> elapsed =
+      std::chrono::steady_clock::now() - begin_;
+    log_line((folder_.resumes() ? "timers of this start:\n" : "") +
+             Timers::instance().table(all, elapsed.count()));
     show_line(status + " at step " + std::to_string(state_.step) + ", time " +
               brief(state_.time, 6) + " s, after " +
               duration(summary.starts.wall_seconds) +

@@ -7,6 +7,7 @@
 #include <contrecoup/base/system/memory.h>
 #include <contrecoup/base/system/processor_time.h>
 #include <contrecoup/base/system/text.h>
+#include <contrecoup/base/system/timers.h>
 #include <contrecoup/io/file/checked_file.h>
 #include <contrecoup/io/output/output_folder.h>
 
@@ -49,6 +50,13 @@ namespace io
            std::getline(lines, file.part) && std::getline(lines, file.file);)
         result.push_back(file);
       return result;
+    }
+
+    double seconds_since(const std::chrono::steady_clock::time_point begin)
+    {
+      return std::chrono::duration<double>(std::chrono::steady_clock::now() -
+                                           begin)
+        .count();
     }
 
     NamedValue
@@ -164,13 +172,22 @@ namespace io
         run_.starts.estimates.emplace(item.name, item.value).first->second;
   }
 
+  void OutputFolder::begin_loop()
+  {
+    loop_begin_ = std::chrono::steady_clock::now();
+  }
+
   RunStarts OutputFolder::starts() const
   {
     const MPI_Comm all = collective_.communicator();
     RunStarts result = run_.starts;
-    result.wall_seconds +=
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_)
-        .count();
+    result.wall_seconds += seconds_since(begin_);
+    const double loop_seconds = loop_begin_ ? seconds_since(*loop_begin_) : 0.;
+    result.loop_seconds += loop_seconds;
+    result.loop_rank_seconds +=
+      dealii::Utilities::MPI::n_mpi_processes(all) * loop_seconds;
+    for (const auto &[name, seconds] : Timers::instance().largest(all))
+      result.timers[name] += seconds;
     result.core_seconds +=
       dealii::Utilities::MPI::sum(processor_seconds() - begin_processor_, all);
     result.peak_memory = std::max(result.peak_memory, peak_memory(all));

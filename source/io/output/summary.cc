@@ -79,14 +79,16 @@ namespace io
 
     Json performance(const Summary &summary)
     {
-      const double rate = summary.updates / summary.loop_seconds;
-      return {{"wall_seconds", number(summary.loop_seconds)},
-              {"core_seconds", number(summary.starts.core_seconds)},
-              {"updates", number(summary.updates)},
-              {"updates_per_second", number(rate)},
-              {"updates_per_second_per_core", number(rate / summary.ranks)},
+      const RunStarts &starts = summary.starts;
+      const double updates = summary.state.updates;
+      return {{"wall_seconds", number(starts.loop_seconds)},
+              {"core_seconds", number(starts.core_seconds)},
+              {"updates", number(updates)},
+              {"updates_per_second", number(updates / starts.loop_seconds)},
+              {"updates_per_second_per_core",
+               number(updates / starts.loop_rank_seconds)},
               {"largest_cells", summary.state.largest_cells},
-              {"peak_memory_bytes", number(summary.starts.peak_memory)}};
+              {"peak_memory_bytes", number(starts.peak_memory)}};
     }
   } // namespace
 
@@ -102,7 +104,7 @@ namespace io
   std::string to_text(const Summary &summary)
   {
     Json timers = Json::object();
-    for (const auto &[name, seconds] : summary.timers)
+    for (const auto &[name, seconds] : summary.starts.timers)
       timers[name] = number(seconds);
     Json json = {{"application", summary.application},
                  {"format", formats::summary.number},

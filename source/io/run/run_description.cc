@@ -41,6 +41,9 @@ namespace io
         estimates[name] = std::isfinite(value) ? Json(value) : Json(nullptr);
       return {{"wall_seconds", starts.wall_seconds},
               {"core_seconds", starts.core_seconds},
+              {"loop_seconds", starts.loop_seconds},
+              {"loop_rank_seconds", starts.loop_rank_seconds},
+              {"timers", starts.timers},
               {"peak_memory", starts.peak_memory},
               {"estimates", estimates},
               {"warnings", starts.warnings},
@@ -52,6 +55,9 @@ namespace io
       RunStarts starts;
       json.at("wall_seconds").get_to(starts.wall_seconds);
       json.at("core_seconds").get_to(starts.core_seconds);
+      json.at("loop_seconds").get_to(starts.loop_seconds);
+      json.at("loop_rank_seconds").get_to(starts.loop_rank_seconds);
+      json.at("timers").get_to(starts.timers);
       json.at("peak_memory").get_to(starts.peak_memory);
       for (const auto &item : json.at("estimates").items())
         starts.estimates[item.key()] =

@@ -56,15 +56,16 @@ def judge(case, straight, output, state, ranks):
     one, two = read_summary(straight), read_summary(output)
     check_bound(two, "status == finished")
     check_bound(two, f"resumed_from_step == {state['step']}")
-    updates = [summary["performance"]["updates"] for summary in (one, two)]
-    rest = updates[0] - state["updates"]
-    print(f"{updates[1]:.0f} updates after the checkpoint, "
-          f"{updates[0]:.0f} straight through")
+    whole = one["performance"]["updates"]
+    rest = whole - state["updates"]
+    made = two["performance"]["updates"] - state["updates"]
+    print(f"{made:.0f} updates after the checkpoint, {whole:.0f} straight "
+          "through")
     # A resumed run finds anew which leaves are at rest; it may skip more.
-    require(0.5 * rest < updates[1] <= (1. + 1e-9) * rest < updates[0],
-            f"{updates[1]:.0f} updates were made after the checkpoint instead "
-            f"of at most {rest:.0f}")
-    require_skipping(one, two, state["updates"], rest - updates[1])
+    require(0.5 * rest < made <= (1. + 1e-9) * rest < whole,
+            f"{made:.0f} updates were made after the checkpoint instead of at "
+            f"most {rest:.0f}")
+    require_skipping(one, two, state["updates"], rest - made)
     if ranks > 1:
         compare_numbers(case.options.tolerance, straight, output,
                         case.options.compare)

@@ -334,7 +334,8 @@ def went_on(output, straight, stage, state):
     require(begin == state["step"] > 0, f"{stage} went on from step {begin}, "
             f"not from {state['step']}")
     whole = read_json(straight, stage, "summary.json")["performance"]["updates"]
-    rest, made = whole - state["updates"], summary["performance"]["updates"]
+    rest, made = (updates - state["updates"] for updates in (
+        whole, summary["performance"]["updates"]))
     print(f"{stage}: {made:.0f} updates after the checkpoint, {whole:.0f} "
           "straight through")
     # A resumed run finds anew which leaves are at rest; it may skip more.

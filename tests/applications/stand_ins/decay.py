@@ -212,7 +212,7 @@ def summarise(status, step, value, first):
                        "peak_memory_bytes": 1e6, "wall_seconds": 1.,
                        "core_seconds": 1., "updates_per_second": 10.,
                        "updates_per_second_per_core": 10., "updates": 10 * (
-                           step - (0 if flawed("wasteful") else first))},
+                           step + (first if flawed("wasteful") else 0))},
                    "results": results() | {"probe_1_peak": value_of(
                        1. if first and flawed("low") else 2., "Pa")},
                    "cells": 10,

@@ -126,8 +126,8 @@ def compute(stage):
           f"\n    set Mass   = 3\nset Body mass = {mass}\n",
           stage, "parameters.prm")
     write(json.dumps({"status": "finished", "resumed_from_step": first,
-                      "performance": {"updates": step - (
-                          0 if flaw == "wasteful" else first)},
+                      "performance": {"updates": step + (
+                          first if flaw == "wasteful" else 0)},
                       "mass": mass}), stage, "summary.json")
 
 

@@ -59,12 +59,10 @@ namespace io
     Collective &collective_;
     OutputFolder folder_;
     RunState state_;
-    double updates_before_ = 0.;
     std::vector<Assumption> plan_;
 
     std::chrono::steady_clock::time_point begin_ =
       std::chrono::steady_clock::now();
-    std::chrono::steady_clock::time_point loop_begin_ = begin_;
   };
 } // namespace io
 } // namespace contrecoup

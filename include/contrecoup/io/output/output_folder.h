@@ -13,6 +13,7 @@
 #include <chrono>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -62,6 +63,9 @@ namespace io
     /// Gives @p plan the estimates that an earlier start had before its first
     /// step, if it had the same end; else keeps those of @p plan.
     void keep_estimates(std::vector<Assumption> &plan);
+
+    /// From here on time counts as that of the time loop.
+    void begin_loop();
 
     /// All starts until now, this one included. Collective.
     RunStarts starts() const;
@@ -116,7 +120,8 @@ namespace io
     RunDescription run_; ///< current state, for checkpoints
     std::vector<NamedValue> last_values_;
     std::chrono::steady_clock::time_point begin_; ///< of this start
-    double begin_processor_;                      ///< of this process [s]
+    std::optional<std::chrono::steady_clock::time_point> loop_begin_;
+    double begin_processor_; ///< of this process [s]
   };
 } // namespace io
 } // namespace contrecoup

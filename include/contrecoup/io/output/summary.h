@@ -26,8 +26,6 @@ namespace io
     std::string message; ///< why it failed
     RunState state;
     RunStarts starts;
-    double loop_seconds = 0.; ///< of this start, without setup
-    double updates = 0.;      ///< of this start
     unsigned int ranks = 1;
     std::uint64_t cells = 0;
     std::uint64_t unknowns = 0;
@@ -36,28 +34,27 @@ namespace io
     std::vector<NamedValue> errors;
     std::vector<NamedValue> results;
     std::vector<NamedValue> checks;
-    std::vector<Assumption> plan;         ///< with estimates
-    std::vector<Assumption> audit;        ///< with measurements
-    std::map<std::string, double> timers; ///< [s]
+    std::vector<Assumption> plan;  ///< with estimates
+    std::vector<Assumption> audit; ///< with measurements
   };
 
   /// Takes over size, errors, results, checks and audit. Collective.
   void describe(Simulation &simulation, Summary &summary);
 
   /**
-   * Text of summary.json. "wall_seconds" at the top is the total of all starts,
-   * that under "performance" the time loop of this one; "core_seconds" there is
-   * the total processor time of all starts and ranks, "largest_cells" the
-   * largest number of cells. For each conserved quantity Q of the history,
-   * "conservation" has Q_first, Q_last and Q_relative_change = (last - first)
-   * / |first|. Values that are not finite become null. "resumed_from_step" is
-   * the step of the checkpoint from which this start resumed, null for a new
-   * run; "interruptions" has step and time of each such checkpoint. "results"
-   * and "checks" have an object with value and unit for each name.
-   * "assumptions" has for each item of the audit an object with decision,
-   * quantity, unit, estimate, measured value, limit, whether it holds (null
-   * without a limit, and without a measured value unless the estimate breaks
-   * the limit), and the entry that changes the decision.
+   * Text of summary.json, of all starts. "wall_seconds" at the top has setup
+   * and output, that under "performance" is of the time loop alone, as are the
+   * rates of updates; "core_seconds" there is the processor time of all ranks,
+   * "largest_cells" the largest number of cells. For each conserved quantity Q
+   * of the history, "conservation" has Q_first, Q_last and Q_relative_change =
+   * (last - first) / |first|. Values that are not finite become null.
+   * "resumed_from_step" is the step of the checkpoint from which this start
+   * resumed, null for a new run; "interruptions" has step and time of each such
+   * checkpoint. "results" and "checks" have an object with value and unit for
+   * each name. "assumptions" has for each item of the audit an object with
+   * decision, quantity, unit, estimate, measured value, limit, whether it holds
+   * (null without a limit, and without a measured value unless the estimate
+   * breaks the limit), and the entry that changes the decision.
    */
   std::string to_text(const Summary &summary);
 } // namespace io

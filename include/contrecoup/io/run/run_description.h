@@ -20,9 +20,12 @@ namespace io
   /// What all starts of a run until now have in common or have spent.
   struct RunStarts
   {
-    double wall_seconds = 0.; ///< to the last checkpoint of each start
-    double core_seconds = 0.; ///< processor time, all ranks
-    double peak_memory = 0.;  ///< [byte]
+    double wall_seconds = 0.;      ///< to the last checkpoint of each start
+    double core_seconds = 0.;      ///< processor time, all ranks
+    double loop_seconds = 0.;      ///< of wall_seconds, those of the time loop
+    double loop_rank_seconds = 0.; ///< the same, summed over the ranks
+    std::map<std::string, double> timers;    ///< [s], largest over the ranks
+    double peak_memory = 0.;                 ///< [byte]
     std::map<std::string, double> estimates; ///< of the plan, by name
     std::vector<std::string> warnings;       ///< each once
     /// Steps and times [s] of the checkpoints from which starts went on.
