@@ -515,13 +515,14 @@ def _without_tables(text, files):
     tables = files.scene.get("tables", {})
     answer = tables.get("answer")
     ears = tables.get("ears") or answer
-    told = re.search(r"[,;] by the tables ([^()]*?)(?:| to ([^()]*?)) ?%(?=\))", text)
-    if told and told[2]:
+    told = re.search(r"[,;] by the tables ((?:less than |more than )?[\d.]+ %)"
+                     r"(?: in the open, (.*? %) before a wall)?(?=\))", text)
+    if told:
         for shown, place in zip(told.groups(), ("in_the_open",
                                                 "before_a_wall")):
-            require_same(shown + " %", ears[place]["eardrum_rupture"],
-                         "eardrums by the tables")
-    text = re.sub(r"[,;] by the tables [^()]*?%(?=\))", "", text)
+            require_chance(shown or told[1], ears[place]["eardrum_rupture"],
+                           "eardrums by the tables")
+        text = text.replace(told[0], "")
     told = re.search(r"; death by lung injury by the tables: ([^()]*?%)(?=\))", text)
     if told:
         require_chance(told[1], answer["in_the_open"]["lung_lethality"],
@@ -533,11 +534,13 @@ def _without_tables(text, files):
                                                == "eardrum_rupture"):
             require_chance(match[0], row["tables"], row["name"])
             require_chance(match[1], row["run"], row["name"])
-    possible = re.search(r"by the tables lung injury possible, load ([\d.]+)", text)
+    possible = re.search(r"by the tables lung injury possible, load ([\d.]+)"
+                         "(?: (in the open|before a wall))?", text)
     if possible:
+        at_trunk = tables.get("trunk") or {}
         [load] = [row["tables"] for row in files.scene["table_comparison"]
-                  if row["name"] == "lung_exposure"] or [
-                      files.scene["tables"]["trunk"]["in_the_open"][
+                  if row["name"] == "lung_exposure" and not possible[2]] or [
+                      at_trunk[(possible[2] or "in the open").replace(" ", "_")][
                           "lung_exposure"]]
         require_same(possible[1], load, "load of the lungs by the tables")
         text = text.replace(possible[0], "…")
