@@ -170,6 +170,9 @@ void SolidBody<Real>::start(const double time)
   assemble();
   const EnergyLedger now = energy_ledger();
   initial_energy_ = now.sum.kinetic + now.sum.internal() + now.contact;
+  // Elements and ground store at the start what no work on the nodes gave them.
+  if (dealii::Utilities::MPI::this_mpi_process(communicator_) == 0)
+    nodal_work_ += now.nodal_internal_work - now.sum.internal();
   find_least_dilatations();
   snapshot_.reset();
 }

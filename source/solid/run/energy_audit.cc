@@ -103,7 +103,7 @@ EnergyAudit::checks(const EnergyLedger &ledger,
     {"energy_residual", "-", residual(ledger)},
     {"nodal_work_difference",
      "-",
-     (ledger.nodal_internal_work + ledger.initial - ledger.sum.internal()) /
+     (ledger.nodal_internal_work - ledger.sum.internal()) /
        std::max(scale_, 1e-300)},
     {"hourglass_part", "-", hourglass_part()},
     {"hourglass_damping_part", "-", ledger.sum.hourglass_damping / internal}};

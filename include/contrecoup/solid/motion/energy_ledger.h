@@ -17,8 +17,8 @@ struct EnergyLedger
   double external_work = 0.;  ///< by loads, moving supports and gravity
   double contact = 0.;        ///< in the springs of the ground
   double interface_work = 0.; ///< on both sides of a sliding interface
-  /// Work of internal forces on the nodes; should equal the sum of element
-  /// energies.
+  /// Work of internal forces on the nodes, with what elements store at the
+  /// start; should equal the sum of element energies.
   double nodal_internal_work = 0.;
   double initial = 0.; ///< kinetic and stored energy at the start
   /// Change by varying step sizes of the energy that central differences

@@ -230,8 +230,9 @@ private:
   double time_of_relaxed_strain_ = 0.; ///< of the stored ones [s]
   StepTimes times_;
   double external_work_ = 0.; ///< of this rank
-  double nodal_work_ = 0.;    ///< work of all forces, of this rank [J]
-  double step_change_ = 0.;   ///< see EnergyLedger, of this rank [J]
+  /// Work of all forces, less what is stored at the start, of this rank [J].
+  double nodal_work_ = 0.;
+  double step_change_ = 0.; ///< see EnergyLedger, of this rank [J]
   double initial_energy_ = 0.;
   std::shared_ptr<Snapshot> snapshot_;
   std::vector<double> least_dilatations_; ///< by tissue, of all ranks
