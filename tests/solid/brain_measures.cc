@@ -125,6 +125,26 @@ TEST(BrainMeasures, AreLowerLimitsWhileTheHeadIsPushed)
 }
 
 
+// What round-off leaves of a symmetric fall grows, too, and means nothing.
+TEST(BrainMeasures, AreNoLowerLimitsOfTurnsByRoundOff)
+{
+  for (const double turn : {1e-7, 1.})
+  {
+    HeadMotion motion;
+    for (unsigned int i = 0; i <= 200; ++i)
+    {
+      dealii::Tensor<1, 3> velocity, turning;
+      velocity[2] = -3.;
+      turning[0] = turn * i;
+      motion.add(2e-5 * i, velocity, turning);
+    }
+    const auto list = head_motion_measures(motion, "the skull");
+    for (const char *name : {"injury_bric", "injury_bric_ais2"})
+      EXPECT_EQ(is_cut(list, name), turn == 1.) << name;
+  }
+}
+
+
 TEST(BrainMeasures, AreLowerLimitsOfAShortRunWhereTheyStillGrow)
 {
   for (const double end : {0.0099, 0.01})

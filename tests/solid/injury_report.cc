@@ -24,13 +24,14 @@ const double gravity = 9.80665;
 class Head
 {
 public:
-  explicit Head(const solid::Supports &supports = {})
+  explicit Head(const solid::Supports &supports = {},
+                const solid::SurfaceLoads &loads = {})
   {
     body.reinit(half_brain(false),
                 materials_of("paper"),
                 solid::ElementOptions(),
                 supports,
-                solid::SurfaceLoads(),
+                loads,
                 MPI_COMM_WORLD);
     dealii::ParameterHandler prm;
     solid::InjuryReport<double>::declare_parameters(prm);
@@ -183,6 +184,32 @@ TEST(InjuryReport, RemarksOnTheMotionOfAHeldHead)
         ++n_remarks;
     // Of HIC and BrIC.
     EXPECT_EQ(n_remarks, is_held ? 2u : 0u);
+  }
+}
+
+
+// After a strike the values are whole, a blast strains the brain later still.
+TEST(InjuryReport, HasLowerLimitsOfShortRunsUnderLoadsAlone)
+{
+  dealii::ParameterHandler prm;
+  solid::SurfaceLoads::declare_parameters(prm);
+  apply_assignments({{{"Loads", "Load pulse"}, "Pressure", "1e5", ""}}, prm);
+  solid::SurfaceLoads loads;
+  loads.parse_parameters(prm);
+  for (const bool is_loaded : {false, true})
+  {
+    Head head({}, is_loaded ? loads : solid::SurfaceLoads());
+    head.stretch(1e-3, {{0.02, 0.05, 0.1, 0.18, 0.2, 0.05}});
+    head.stretch(2e-3, {});
+    for (const solid::InjuryMeasure &measure : head.report.measures(head.body))
+      for (const char *name : {"injury_strain_95",
+                               "injury_csdm_15",
+                               "injury_hic15",
+                               "injury_bric"})
+        if (measure.value.name == name)
+        {
+          EXPECT_EQ(measure.is_cut, is_loaded) << name;
+        }
   }
 }
 

@@ -19,6 +19,19 @@ namespace
   /// Share of the brain that decides on injury_strain_95.
   constexpr double tail = 0.05;
 
+  /// Turning of a head that is round-off of its translation: the skull, a tenth
+  /// of a metre from the centre, moves by 1e-5 of the head's speed [1/m].
+  constexpr double least_turn = 1e-4;
+
+  std::array<double, 3> largest_components(const VectorHistory &history)
+  {
+    std::array<double, 3> largest{};
+    for (const std::array<double, 3> &value : history.values)
+      for (unsigned int d = 0; d < 3; ++d)
+        largest[d] = std::max(largest[d], std::abs(value[d]));
+    return largest;
+  }
+
   /// @param sums volumes: of all, with more than 15 % and 25 % strain, and
   /// cavitated; then the members of BrainSums; then the volumes whose strain
   /// grows and that are tense
@@ -151,15 +164,15 @@ std::vector<InjuryMeasure> head_motion_measures(const HeadMotion &motion,
                       turning = channel_class_filter(
                         {motion.times, motion.angular_velocities},
                         head_channel_class);
-  std::array<double, 3> largest{};
-  for (const std::array<double, 3> &value : turning.values)
-    for (unsigned int d = 0; d < 3; ++d)
-      largest[d] = std::max(largest[d], std::abs(value[d]));
+  const std::array<double, 3> largest = largest_components(turning);
+  const std::array<double, 3> speeds = largest_components(velocities);
+  const double round_off =
+    least_turn * *std::max_element(speeds.begin(), speeds.end());
   bool turns_faster = false;
   for (unsigned int d = 0; d < 3; ++d)
     turns_faster =
-      turns_faster ||
-      (largest[d] > 0. && std::abs(turning.values.back()[d]) == largest[d]);
+      turns_faster || (largest[d] > round_off &&
+                       std::abs(turning.values.back()[d]) == largest[d]);
   const HeadInjuryCriterion criterion =
     head_injury_criterion(velocities.times, velocities.values, 0.015);
 

@@ -303,7 +303,8 @@ InjuryReport<Real>::measures(const SolidBody<Real> &body) const
   std::vector<InjuryMeasure> list;
   add_brain(body, list);
   add_head(body, list);
-  mark_lower_limits(body.time(), list);
+  if (body.loads().n_loaded_facets(body.communicator()) > 0)
+    mark_lower_limits(body.time(), list);
   if (has(Tissue::lung, body.mesh()))
     for (const InjuryMeasure &measure : chest_.measures())
       list.push_back(measure);

@@ -111,7 +111,8 @@ struct HeadMotion
  * Head injury criterion (HIC) and brain injury criterion (BrIC) of the motion
  * after the filter of channel frequency class 1000 (SAE J211/1), each with the
  * probabilities of injury that follow; empty for less than two times. Lower
- * limits are those whose interval or largest value is at the end.
+ * limits are those whose interval or largest value, unless it is round-off, is
+ * at the end.
  * @param moving describes what moves, for the report
  */
 std::vector<InjuryMeasure> head_motion_measures(const HeadMotion &motion,
