@@ -151,7 +151,8 @@ endfunction()
 #   bounds        BOUNDS "errors.density_L1 < 1e-3" ...: of summary.json, with
 #                 <, > or ==; "history.x" is the last value of that column of
 #                 history.csv, "probes.x" of probes.csv;
-#                 [EXIT <code>...] [MESSAGE <text>] on the screen
+#                 [EXIT <code>...] [MESSAGE <text>] on the screen, with
+#                 [ARGUMENTS ...] then
 #   regression    COMPARE <file>... TOLERANCE "1e-8" "momentum*=1e-9 absolute":
 #                 tables (.csv) and samples of planes, skins, loads and meshes
 #                 (.vti, .vtp, .h5, .vtu) agree with those in

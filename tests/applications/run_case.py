@@ -73,7 +73,8 @@ def bounds(case):
         output = case.straight()
     else:
         output = case.folder("run")
-        code, out, err = case.run(output, codes=case.options.exit or (0,))
+        code, out, err = case.run(output, case.options.argument,
+                                  codes=case.options.exit or (0,))
         told = out if code == 0 else err
         if case.options.message not in told:
             raise Failed(f"nothing says '{case.options.message}': {told}")

@@ -7,8 +7,9 @@
 #include <contrecoup/coupling/scene/scene_plan.h>
 #include <contrecoup/coupling/scene/stage_results.h>
 #include <contrecoup/io/file/file_format.h>
+#include <contrecoup/io/run/plan_table.h>
+#include <contrecoup/solid/run/strain_item.h>
 
-#include <boost/algorithm/string/replace.hpp>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -19,8 +20,7 @@ namespace contrecoup::coupling
 {
 namespace
 {
-  constexpr double gravity = 9.81;       // [m/s^2]
-  constexpr double largest_strain = 0.1; // limit of small-strain theory
+  constexpr double gravity = 9.81; // [m/s^2]
   /// Fewest cells for a positive phase. With fewer, cells of half the size
   /// raise the peak on a chest by a fifth and more, see
   /// parameter_files/scene/error_estimate.md.
@@ -51,25 +51,15 @@ namespace
             is_held ? "Biomechanics/Supports" : ""};
   }
 
-  std::string strain_of(const std::string &tissue)
-  {
-    return "strain that 95 % of " + tissue + " does not exceed";
-  }
-
+  /// Item of biomechanics about small strains.
   /// @param kinematics as the user wrote it; empty: that of the scene
   Assumption strain(const std::string &kinematics)
   {
-    const bool is_large = kinematics == "neo-hookean";
-    return {"strain",
-            is_large                       ? "any rotation and strain"
-            : kinematics == "small strain" ? "small rotations and strains"
-                                           : "any rotation, small strains",
-            strain_of("a tissue"),
-            "-",
-            unknown,
-            is_large ? unknown : largest_strain,
-            false,
-            "Biomechanics/Elements/Kinematics"};
+    Assumption item = solid::strain_item(kinematics.empty()
+                                           ? SolidKinematics::finite_rotation
+                                           : find_solid_kinematics(kinematics));
+    item.entry = "Biomechanics/" + item.entry;
+    return item;
   }
 
   /// Who stands is held by the ground: the figure is for information.
@@ -276,6 +266,46 @@ namespace
     return items;
   }
 
+  std::string text(const io::Json &object,
+                   const std::string &name,
+                   const std::string &otherwise = "")
+  {
+    return object.contains(name) && object[name].is_string()
+             ? object[name].get<std::string>()
+             : otherwise;
+  }
+
+  /// Items of a task's summary, with their estimates or with measured values.
+  /// @param folder of the scene
+  std::vector<Assumption> task_items(const std::string &folder,
+                                     const std::string &task,
+                                     const char *value)
+  {
+    std::vector<Assumption> items;
+    const std::string section = task == "blast" ? "Blast/" : "Biomechanics/";
+    const io::Json summary = io::read_json(
+      folder + "/" + task + "/summary.json", io::formats::summary);
+    if (!summary.is_object() || !summary.contains("assumptions"))
+      return items;
+    for (const auto &[name, item] : summary["assumptions"].items())
+    {
+      if (!item.is_object())
+        continue;
+      Assumption one;
+      one.name = name;
+      one.decision = text(item, "decision");
+      one.quantity = text(item, "quantity");
+      one.unit = text(item, "unit", "-");
+      one.value = number_or_unknown(item, value);
+      one.is_lower_limit = item.contains("at_least");
+      one.limit =
+        number_or_unknown(item, one.is_lower_limit ? "at_least" : "at_most");
+      one.entry = section + text(item, "entry");
+      items.push_back(one);
+    }
+    return items;
+  }
+
   /// Items of the plan about the body, with what biomechanics measured.
   std::vector<Assumption> found_of_body(const SceneParameters &scene,
                                         const SceneLayout &layout,
@@ -285,25 +315,20 @@ namespace
     const std::string solid = folder + "/biomechanics";
     const BodyMotion motion =
       measure_motion(solid, layout.arrival + layout.positive_phase);
-    const StrainedTissue tissue = most_strained_tissue(solid);
+    const std::vector<Assumption> found =
+      task_items(folder, "biomechanics", "measured");
     std::vector<Assumption> items;
     for (Assumption item : plan)
     {
       if (item.name == "rigid_body")
         item.value = motion.displacement / layout.shortest_side();
-      else if (item.name == "strain")
-      {
-        item.value = tissue.strain;
-        if (!tissue.name.empty())
-          item.quantity =
-            strain_of("the most strained tissue, " +
-                      boost::replace_all_copy(tissue.name, "_", " ") + ",");
-      }
+      else if (const Assumption *own = io::find_assumption(found, item.name))
+        item = *own;
       else if (item.name == "lung")
         item = lung(scene, largest_trunk_peak(folder + "/blast"));
       else if (item.name == "gravity_of_body")
         item.value = gravity * scene.end_time / motion.speed;
-      else if (item.name != "ground_of_body")
+      else if (item.name != "ground_of_body" && item.name != "strain")
         continue;
       items.push_back(item);
     }
@@ -337,43 +362,6 @@ namespace
             scene.end_time,
             false,
             "Scene/End time"};
-  }
-
-  std::string text(const io::Json &object,
-                   const std::string &name,
-                   const std::string &otherwise = "")
-  {
-    return object.contains(name) && object[name].is_string()
-             ? object[name].get<std::string>()
-             : otherwise;
-  }
-
-  /// Items of a task's summary, with their estimates or with measured values.
-  std::vector<Assumption> task_items(const std::string &folder,
-                                     const char *value)
-  {
-    std::vector<Assumption> items;
-    const io::Json summary =
-      io::read_json(folder + "/summary.json", io::formats::summary);
-    if (!summary.is_object() || !summary.contains("assumptions"))
-      return items;
-    for (const auto &[name, item] : summary["assumptions"].items())
-    {
-      if (!item.is_object())
-        continue;
-      Assumption one;
-      one.name = name;
-      one.decision = text(item, "decision");
-      one.quantity = text(item, "quantity");
-      one.unit = text(item, "unit", "-");
-      one.value = number_or_unknown(item, value);
-      one.is_lower_limit = item.contains("at_least");
-      one.limit =
-        number_or_unknown(item, one.is_lower_limit ? "at_least" : "at_most");
-      one.entry = "Blast/" + text(item, "entry");
-      items.push_back(one);
-    }
-    return items;
   }
 
   /// What the user wrote for an entry of biomechanics; empty: nothing.
@@ -453,14 +441,14 @@ std::vector<Assumption> scene_audit(const SceneParameters &scene,
     for (const Assumption &item : plan)
       if (item.name == "rigid_body")
         items.push_back(rigid_body(unknown, false, layout));
-  for (const Assumption &item : task_items(folder + "/blast", "measured"))
+  for (const Assumption &item : task_items(folder, "blast", "measured"))
     items.push_back(item);
   return items;
 }
 
 
-std::vector<Assumption> task_plan(const std::string &folder)
+std::vector<Assumption> blast_plan(const std::string &folder)
 {
-  return task_items(folder, "estimate");
+  return task_items(folder, "blast", "estimate");
 }
 } // namespace contrecoup::coupling

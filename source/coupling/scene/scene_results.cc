@@ -364,7 +364,7 @@ namespace
                                      const std::string &folder)
   {
     std::vector<Assumption> plan = scene.plan();
-    for (const Assumption &item : task_plan(folder + "/blast"))
+    for (const Assumption &item : blast_plan(folder))
       plan.push_back(item);
     return plan;
   }

@@ -149,20 +149,4 @@ BodyMotion measure_motion(const std::string &folder, const double last)
     }
   return largest;
 }
-
-
-StrainedTissue most_strained_tissue(const std::string &folder)
-{
-  const std::string begin = "principal_strain_95_";
-  const io::Json results = group_in(folder, "results");
-  StrainedTissue most{"", not_measured};
-  for (const auto &[name, result] : results.items())
-  {
-    const double strain = value_in(results, name);
-    if (name.compare(0, begin.size(), begin) == 0 && !std::isnan(strain) &&
-        !(strain <= most.strain))
-      most = {name.substr(begin.size()), strain};
-  }
-  return most;
-}
 } // namespace contrecoup::coupling

@@ -167,15 +167,34 @@ PeakFields<Real>::measures(const SolidBody<Real> &body) const
       if (found[0] > 0.F && found[1] == found[0])
         list.push_back({name + "_cut_off", "-", 1.});
     }
-    std::vector<double> strains;
-    for (const std::uint32_t cell : elements)
-      strains.push_back(fields_[3][cell]);
     list.push_back(
-      {tissue_column("principal_strain_95", tissue),
-       "-",
-       percentile(strains, averages_[k].volumes(), 0.95, body.communicator())});
+      {tissue_column("principal_strain_95", tissue), "-", strain_95(body, k)});
   }
   return list;
+}
+
+
+template <typename Real>
+double PeakFields<Real>::strain_95(const SolidBody<Real> &body,
+                                   const unsigned int tissue) const
+{
+  std::vector<double> strains;
+  for (const std::uint32_t cell : averages_[tissue].elements())
+    strains.push_back(fields_[3][cell]);
+  return percentile(
+    strains, averages_[tissue].volumes(), 0.95, body.communicator());
+}
+
+
+template <typename Real>
+StrainedTissue
+PeakFields<Real>::most_strained(const SolidBody<Real> &body) const
+{
+  StrainedTissue most;
+  for (unsigned int k = 0; k < averages_.size(); ++k)
+    if (const double strain = strain_95(body, k); !(strain <= most.strain))
+      most = {name_of(body.mesh().tissues[k]), strain};
+  return most;
 }
 
 

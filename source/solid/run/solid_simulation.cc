@@ -130,6 +130,7 @@ void SolidSimulation<Real>::build()
   body_.loads().warn_of_times(end_time_);
   stability_ = body_.find_stable_step();
   stable_step_ = safety_ * options_.step_factor() * stability_.body_step;
+  told_step_ = stable_step_;
   // Bulk viscosity reduces the step that remains for the body itself.
   const double factor = options_.step_factor();
   surroundings_.set_step(stable_step_,
@@ -214,19 +215,29 @@ double SolidSimulation<Real>::allowed_step()
     warn_of_rotation();
     // Deformation may use half of the margin that the safety factor leaves
     // before the step is reduced.
-    const double deformed = 0.5 * (1. + safety_) * options_.step_factor() *
-                            body_.deformed_step(stability_.body_step);
-    if (deformed < stable_step_ && deformed_step_ >= stable_step_)
-      log_line("time " + brief(body_.time()) +
-               " s: deformed elements allow steps of " + brief(deformed) +
-               " s only");
-    deformed_step_ = deformed;
+    deformed_step_ = 0.5 * (1. + safety_) * options_.step_factor() *
+                     body_.deformed_step(stability_.body_step);
+    tell_smaller_step(deformed_step_);
     steps_until_check_ = steps_between_checks;
   }
   steps_until_check_ -= 1.;
   return std::min({reduction_ * stable_step_,
                    deformed_step_,
                    safety_ * options_.step_factor() * body_.compressed_step()});
+}
+
+
+template <typename Real>
+void SolidSimulation<Real>::tell_smaller_step(const double allowed)
+{
+  if (!(allowed < told_step_))
+    return;
+  const double part = allowed / stable_step_;
+  log_line("time " + brief(body_.time()) +
+           " s: deformed elements allow steps of " + brief(allowed) +
+           " s only, " + brief(part, 3) + " of the first ones");
+  // The next line is that of the next halving.
+  told_step_ = stable_step_ * std::exp2(std::floor(std::log2(part)));
 }
 
 
@@ -424,7 +435,7 @@ void SolidSimulation<Real>::save(const std::string &folder)
   if (dealii::Utilities::MPI::this_mpi_process(communicator_) == 0)
     io::write_file(folder + "/probes.bin", [&](std::ostream &out) {
       for (const double value :
-           {reduction_, deformed_step_, steps_until_check_})
+           {reduction_, deformed_step_, steps_until_check_, told_step_})
         io::write_binary(out, value);
       audit_.save(out);
       probes_.save(out);
@@ -444,7 +455,8 @@ void SolidSimulation<Real>::restore(const std::string &folder)
   if (cavities_.active())
     cavities_.restore(body_, folder);
   std::istringstream stream(io::read_file(folder + "/probes.bin"));
-  for (double *value : {&reduction_, &deformed_step_, &steps_until_check_})
+  for (double *value :
+       {&reduction_, &deformed_step_, &steps_until_check_, &told_step_})
     io::read_binary(stream, *value);
   audit_.load(stream, body_.mesh().tissues.size());
   probes_.load(stream);

@@ -6,6 +6,7 @@
 #include <contrecoup/solid/body/tissue_measures.h>
 #include <contrecoup/solid/motion/element_rotation.h>
 #include <contrecoup/solid/run/solid_simulation.h>
+#include <contrecoup/solid/run/strain_item.h>
 
 #include <algorithm>
 #include <limits>
@@ -118,6 +119,18 @@ std::vector<Assumption> SolidSimulation<Real>::plan()
                      "Injury/Active"});
   for (const Assumption &item : injury_.assumptions(body_))
     items.push_back(item);
+  items.push_back(strain_item(options_.kinematics));
+  return items;
+}
+
+
+template <typename Real>
+std::vector<Assumption> SolidSimulation<Real>::audit()
+{
+  std::vector<Assumption> items = plan();
+  for (Assumption &item : items)
+    if (item.name == strain_item(options_.kinematics).name)
+      item = strain_item(options_.kinematics, peaks_.most_strained(body_));
   return items;
 }
 

@@ -32,6 +32,7 @@ std::vector<Assumption> scene_audit(const SceneParameters &scene,
                                     const std::vector<Assumption> &plan,
                                     const std::string &folder);
 
-/// Plan of a task from its summary; empty without a summary.
-std::vector<Assumption> task_plan(const std::string &folder);
+/// Plan of the blast of a scene from its summary; empty without a summary.
+/// @param folder of the scene
+std::vector<Assumption> blast_plan(const std::string &folder);
 } // namespace contrecoup::coupling

@@ -32,13 +32,4 @@ struct BodyMotion
 /// @param last time until which the displacement counts [s]
 /// @throws InputError for damaged tables
 BodyMotion measure_motion(const std::string &folder, double last);
-
-/// The most strained tissue of biomechanics.
-struct StrainedTissue
-{
-  std::string name; ///< "soft_tissue"; empty: unknown
-  double strain;    ///< that 95 % of its volume does not exceed [-]
-};
-
-StrainedTissue most_strained_tissue(const std::string &folder);
 } // namespace contrecoup::coupling

@@ -10,11 +10,20 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <array>
+#include <limits>
 #include <string>
 #include <vector>
 
 namespace contrecoup::solid
 {
+/// The most strained tissue of a body.
+struct StrainedTissue
+{
+  std::string name; ///< "soft tissue"; empty: unknown
+  /// That 95 % of its volume has not exceeded [-].
+  double strain = std::numeric_limits<double>::quiet_NaN();
+};
+
 /**
  * Extreme values of each element over time: highest and lowest pressure,
  * largest von Mises stress, largest principal strain. They are output as
@@ -51,6 +60,9 @@ public:
   /// is of the last evaluation also "NAME_cut_off", which is 1. Collective.
   std::vector<NamedValue> measures(const SolidBody<Real> &body) const;
 
+  /// The tissue of which 95 % has had the largest strains. Collective.
+  StrainedTissue most_strained(const SolidBody<Real> &body) const;
+
   /// Field @p number of names, by local element.
   const std::vector<float> &field(const unsigned int number) const
   {
@@ -63,6 +75,9 @@ public:
   void restore(const SolidBody<Real> &body, const std::string &folder);
 
 private:
+  /// The largest principal strain that 95 % of a tissue has not exceeded.
+  double strain_95(const SolidBody<Real> &body, unsigned int tissue) const;
+
   bool active_ = false;
   bool averaged_ = true; ///< pressures, over neighbours
   unsigned int interval_ = 10;

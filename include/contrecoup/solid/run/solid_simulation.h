@@ -43,10 +43,7 @@ public:
 
   CostEstimate estimate() override;
   std::vector<Assumption> plan() override;
-  std::vector<Assumption> audit() override
-  {
-    return plan();
-  }
+  std::vector<Assumption> audit() override;
   void setup() override;
   void restore(const std::string &folder) override;
   void save(const std::string &folder) override;
@@ -92,6 +89,7 @@ private:
   void report_injury(const std::string &folder);
   EnergyLedger check_energy();
   double allowed_step();
+  void tell_smaller_step(double allowed);
 
   MPI_Comm communicator_;
   MeshDescription mesh_description_;
@@ -119,7 +117,8 @@ private:
   double stable_step_ = 0.;
   double reduction_ = 1.; ///< factor on the step after retries
   double deformed_step_ = std::numeric_limits<double>::infinity();
-  /// until the next check of deformed elements
+  /// Until the next check of deformed elements.
   double steps_until_check_ = 0.;
+  double told_step_ = 0.; ///< below which a step gets a line in the log
 };
 } // namespace contrecoup::solid
