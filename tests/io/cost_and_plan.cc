@@ -156,13 +156,15 @@ TEST(CostCache, GivesBackWhatItKeptForTheSameScene)
   setenv("XDG_CACHE_HOME", folder.path().c_str(), 1);
   const CostCache cache("a scene"), other("another scene");
   EXPECT_FALSE(cache.read());
-  CostEstimate cost;
+  TriedCost cost;
   cost.seconds = 0.1;
+  cost.step_growth = 1.5;
   cost.output = 1e12 / 3.;
   cache.write(cost);
   ASSERT_TRUE(CostCache("a scene").read());
   EXPECT_EQ(cache.read()->seconds, 0.1);
   EXPECT_EQ(cache.read()->output, 1e12 / 3.);
+  EXPECT_EQ(cache.read()->step_growth, 1.5);
   EXPECT_FALSE(other.read());
 }
 

@@ -144,6 +144,7 @@ io::ApplicationDescription biomechanics_application()
     coarsen,
     {},
     files};
+  application.keeps_first_step = true;
   application.oversights = find_thin_layers;
   application.tables = tables;
   return application;

@@ -8,7 +8,6 @@
 #include <contrecoup/io/application/cost_forecast.h>
 #include <contrecoup/io/application/cost_laws.h>
 #include <contrecoup/io/application/trial_limits.h>
-#include <contrecoup/io/run/cost_cache.h>
 
 #include <algorithm>
 #include <cmath>
@@ -381,15 +380,15 @@ namespace io
     }
   } // namespace
 
-  CostEstimate forecast_cost(const ApplicationDescription &description,
-                             const dealii::ParameterHandler &prm,
-                             const CostEstimate &rough,
-                             const double budget,
-                             Collective &collective)
+  TriedCost forecast_cost(const ApplicationDescription &description,
+                          const dealii::ParameterHandler &prm,
+                          const CostEstimate &rough,
+                          const double budget,
+                          Collective &collective)
   {
     std::vector<Trial> trials;
     double spent = 0., expected = 0.;
-    CostEstimate result = rough;
+    TriedCost result{rough};
     const bool adapts = description.adapts && description.adapts(prm);
     const auto set = trial_levels();
     const auto [begin, end] = set.value_or(std::pair<int, int>(
@@ -419,12 +418,21 @@ namespace io
       if (trial->lacks_stage && levels > 0)
         continue;
       trials.push_back(*trial);
-      result = extrapolate(trials, rough.cells, adapts, prm);
+      static_cast<CostEstimate &>(result) =
+        extrapolate(trials, rough.cells, adapts, prm);
       spent += trial->seconds;
       expected = seconds_of_next(trials);
     }
     if (trials.empty())
-      return without_trials(description, prm, rough, collective);
+      return {without_trials(description, prm, rough, collective)};
+    result.is_exact = trials.back().levels == 0 && !trials.back().is_stopped();
+    // The coarsest trials have a few steps alone.
+    for (std::size_t i =
+           trials.size() - std::min<std::size_t>(2, trials.size());
+         i < trials.size();
+         ++i)
+      result.step_growth =
+        std::max(result.step_growth, trials[i].step_growth());
     // Coarse trials have other nodes for each cell than the run.
     if (rough.unknowns > 0. && !adapts)
       result.unknowns = std::round(rough.unknowns * result.cells / rough.cells);
@@ -434,15 +442,14 @@ namespace io
     return result;
   }
 
-  CostEstimate
-  cached_or_forecast_cost(const ApplicationDescription &description,
-                          const dealii::ParameterHandler &prm,
-                          const CostEstimate &rough,
-                          Collective &collective)
+  TriedCost cached_or_forecast_cost(const ApplicationDescription &description,
+                                    const dealii::ParameterHandler &prm,
+                                    const CostEstimate &rough,
+                                    Collective &collective)
   {
     const double budget = description.trial_share * trial_seconds();
     if (!(budget > 0.))
-      return without_trials(description, prm, rough, collective);
+      return {without_trials(description, prm, rough, collective)};
     const MPI_Comm all = collective.communicator();
     const char *levels = std::getenv(trial_levels_variable);
     const CostCache cache(
@@ -451,20 +458,19 @@ namespace io
       " ranks, " + brief(budget) + " s, levels " +
       (levels ? levels : "by time") + "\n" + parameter_text(prm, false));
     const bool first = dealii::Utilities::MPI::this_mpi_process(all) == 0;
-    const std::optional<CostEstimate> known =
-      first ? cache.read() : std::nullopt;
+    const std::optional<TriedCost> known = first ? cache.read() : std::nullopt;
     if (dealii::Utilities::MPI::max(known ? 1 : 0, all) > 0)
     {
       log_line("The cost is known from trial runs on this machine, kept in " +
                cache.file());
-      return known.value_or(rough);
+      return known.value_or(TriedCost{rough});
     }
     const std::string trials =
       "Calibrating by trial runs on coarser meshes, some " + brief(budget) +
       " s ...";
     log_line(trials);
     Log::instance().status(trials);
-    const CostEstimate cost =
+    const TriedCost cost =
       forecast_cost(description, prm, rough, budget, collective);
     if (first)
       cache.write(cost);

@@ -85,13 +85,12 @@ namespace io
 
   namespace
   {
-    /// Takes the steps of an undeformed body, if they are not those of the
-    /// @p rough estimate: up to twice as many are extrapolated from trials,
-    /// still more come from deformation.
+    /// Takes the @p known steps of a body at rest, if they are not those of the
+    /// @p rough estimate.
     void correct_steps(const double known,
                        const double rough,
                        const TimeParameters &time,
-                       CostEstimate &cost)
+                       TriedCost &cost)
     {
       if (known == rough)
         return;
@@ -101,8 +100,6 @@ namespace io
       if (time.largest_number_of_steps > 0)
         steps =
           std::min(steps, static_cast<double>(time.largest_number_of_steps));
-      if (cost.steps > 2. * steps)
-        return;
       steps = std::round(steps);
       cost.seconds *= cost.steps > 0. ? steps / cost.steps : 1.;
       cost.steps = steps;
@@ -112,7 +109,7 @@ namespace io
   void Run::check()
   {
     const CostEstimate rough = estimate();
-    CostEstimate cost =
+    TriedCost cost =
       cached_or_forecast_cost(description_, prm_, rough, collective_);
     CostEstimate known = rough;
     collective_.run([&]() {
@@ -121,7 +118,14 @@ namespace io
       if (!description_.adapts && simulation_.size().first > 0)
         known = simulation_.estimate();
     });
-    correct_steps(known.steps, rough.steps, time_, cost);
+    // Finer elements deform more, and need still more steps.
+    constexpr double largest_growth = 1.03;
+    const bool deforms = description_.keeps_first_step && !cost.is_exact &&
+                         cost.step_growth > largest_growth;
+    if (deforms)
+      cost.steps = cost.seconds = 0.;
+    else if (!cost.is_exact)
+      correct_steps(known.steps, rough.steps, time_, cost);
     if (description_.on_cost_estimate)
       description_.on_cost_estimate(cost);
     else
@@ -133,6 +137,10 @@ namespace io
       brief(time_.end_time, 6) + " s, with output in " + folder_.path() + ":");
     for (const std::string &line : cost_lines({{description_.name, cost}}))
       show_line(line);
+    if (deforms)
+      show_line("  steps and wall time are unknown: as it deforms, the coarser "
+                "body of the trial runs needs " +
+                brief(cost.step_growth, 3) + " times as many steps as at rest");
     complete_plan();
     // Of a part of a scene, which has a plan of its own, warnings are shown.
     for (const std::string &line : plan_lines(plan_))

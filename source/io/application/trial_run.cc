@@ -80,6 +80,8 @@ namespace io
           trial_.stages.push_back({dimension, inner_.time()});
         const StepReport report = inner_.advance(largest_step);
         TrialStage &stage = trial_.stages.back();
+        if (!(stage.steps > 0.))
+          stage.first_step = report.step_size;
         stage.steps += 1.;
         const double cells = note_size();
         stage.cell_steps += cells;
@@ -390,6 +392,14 @@ namespace io
         throw InputError("the scene cannot be so coarse");
     }
   } // namespace
+
+  double Trial::step_growth() const
+  {
+    if (stages.empty() || !(time > stages.back().begin))
+      return 1.;
+    const TrialStage &last = stages.back();
+    return (part * last.steps - 1.) * last.first_step / (time - last.begin);
+  }
 
   std::vector<Assumption> coarse_plan(const ApplicationDescription &description,
                                       const dealii::ParameterHandler &prm,

@@ -72,7 +72,7 @@ namespace io
               std::to_string(std::hash<std::string>()(key_)) + ".json";
   }
 
-  std::optional<CostEstimate> CostCache::read() const
+  std::optional<TriedCost> CostCache::read() const
   {
     // The overload without error code throws for unreadable folders.
     std::error_code ignored;
@@ -83,13 +83,15 @@ namespace io
       const Json json = Json::parse(read_file(file_));
       if (json.at("key") != key_)
         return std::nullopt;
-      CostEstimate cost;
+      TriedCost cost;
       json.at("cells").get_to(cost.cells);
       json.at("unknowns").get_to(cost.unknowns);
       json.at("steps").get_to(cost.steps);
       json.at("memory").get_to(cost.memory);
       json.at("seconds").get_to(cost.seconds);
       json.at("output").get_to(cost.output);
+      json.at("is_exact").get_to(cost.is_exact);
+      json.at("step_growth").get_to(cost.step_growth);
       return cost;
     }
     catch (const std::exception &)
@@ -98,7 +100,7 @@ namespace io
     }
   }
 
-  void CostCache::write(const CostEstimate &cost) const noexcept
+  void CostCache::write(const TriedCost &cost) const noexcept
   {
     try
     {
@@ -111,7 +113,9 @@ namespace io
                          {"steps", cost.steps},
                          {"memory", cost.memory},
                          {"seconds", cost.seconds},
-                         {"output", cost.output}};
+                         {"output", cost.output},
+                         {"is_exact", cost.is_exact},
+                         {"step_growth", cost.step_growth}};
       write_file(file_,
                  [&](std::ostream &out) { out << json.dump(1) << '\n'; });
     }

@@ -59,6 +59,9 @@ namespace io
     /// 0: none, the estimate of the solver counts.
     double trial_share = 1.;
 
+    /// Whether all steps are like the first one, unless the body deforms.
+    bool keeps_first_step = false;
+
     /// Whether the mesh changes during the run. Empty: never.
     std::function<bool(const dealii::ParameterHandler &)> adapts = {};
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <contrecoup/io/application/trial_run.h>
+#include <contrecoup/io/run/cost_cache.h>
 
 namespace contrecoup
 {
@@ -49,18 +50,17 @@ namespace io
    * @param rough estimate of the solver without trial runs; used where trials
    * give no information
    */
-  CostEstimate forecast_cost(const ApplicationDescription &description,
-                             const dealii::ParameterHandler &prm,
-                             const CostEstimate &rough,
-                             double budget,
-                             Collective &collective);
+  TriedCost forecast_cost(const ApplicationDescription &description,
+                          const dealii::ParameterHandler &prm,
+                          const CostEstimate &rough,
+                          double budget,
+                          Collective &collective);
 
   /// Forecast within CONTRECOUP_CHECK_SECONDS (environment variable, default 4
   /// s), or the cached cost of an earlier run on this machine. Logs which.
-  CostEstimate
-  cached_or_forecast_cost(const ApplicationDescription &description,
-                          const dealii::ParameterHandler &prm,
-                          const CostEstimate &rough,
-                          Collective &collective);
+  TriedCost cached_or_forecast_cost(const ApplicationDescription &description,
+                                    const dealii::ParameterHandler &prm,
+                                    const CostEstimate &rough,
+                                    Collective &collective);
 } // namespace io
 } // namespace contrecoup

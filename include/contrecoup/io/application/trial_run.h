@@ -21,6 +21,7 @@ namespace io
     unsigned int dimension = 0;
     double begin = 0.;         ///< simulated time at its first step [s]
     double steps = 0.;         ///< number of steps
+    double first_step = 0.;    ///< its size [s]
     double cell_steps = 0.;    ///< sum of the number of cells over all steps
     double largest_cells = 0.; ///< largest number of cells
     /// processor time of the slowest rank, without setup [s]
@@ -63,6 +64,10 @@ namespace io
     {
       return part < 1.;
     }
+
+    /// Steps of the last stage, but for the last one, which is cut, over those
+    /// that its first step would need.
+    double step_growth() const;
 
     double output_bytes() const
     {

@@ -12,6 +12,16 @@ namespace contrecoup
 {
 namespace io
 {
+  /// A cost by trial runs, and what they tell of its steps.
+  struct TriedCost : CostEstimate
+  {
+    /// Whether the last trial was the run itself.
+    bool is_exact = false;
+    /// Largest ratio of the steps of the last two trials to those that their
+    /// first step would need, as deformed elements allow smaller ones only [-].
+    double step_growth = 1.;
+  };
+
   /**
    * Cache of measured costs of scenes, one small file each, in
    * $XDG_CACHE_HOME/contrecoup or ~/.cache/contrecoup. Without such a folder
@@ -25,10 +35,10 @@ namespace io
     explicit CostCache(const std::string &scene);
 
     /// Cached cost for this scene, processor and build.
-    std::optional<CostEstimate> read() const;
+    std::optional<TriedCost> read() const;
 
     /// Stores @p cost; never throws.
-    void write(const CostEstimate &cost) const noexcept;
+    void write(const TriedCost &cost) const noexcept;
 
     /// File of the cache entry; empty: none.
     const std::string &file() const
