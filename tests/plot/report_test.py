@@ -539,6 +539,16 @@ class ReportTest(unittest.TestCase):
             self.assertEqual(
                 [row[1].startswith("≥") for row in headline._compared(scene)],
                 [False, bool(known)])
+        # Of each probe, where a difference would be that of the run's end.
+        figures = {f"probe_{number}_{kind}{name}": 2. + (kind == "")
+                   for number in (1, 2) for kind in ("", "reference_")
+                   for name in ("impulse", "arrival", "duration")}
+        figures["probe_2_cut_off"] = 1.
+        scene.blast.found = lambda _, name: figures.get(name)
+        table = str(accuracy._free_air(scene))
+        self.assertEqual([table.count(words) for words in (
+            ">≥ 3.00\xa0Pa s<", ">≥ 3.00\xa0s<", ">3.00\xa0s<", ">–<",
+            ">50\xa0%<", "≥: a lower limit")], [1, 1, 3, 2, 4, 1], table)
 
     def test_load_in_the_air(self):
         """At a probe as far from the charge as the body, Bowen's definition

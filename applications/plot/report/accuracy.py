@@ -129,12 +129,16 @@ def _free_air(scene):
                 else scene.blast.found("results", stem + quantity)
             known = scene.blast.found("results",
                                       stem + "reference_" + quantity)
+            is_cut = quantity in reflections.OF_THE_PHASE \
+                and bool(scene.blast.found("results", stem + "cut_off"))
             if known:
                 rows.append((_probe_place(scene, number),
                              quantity.replace("_", " "),
-                             page.quantity(here, unit),
+                             page.limit(here, is_cut)
+                             + page.quantity(here, unit),
                              page.quantity(known, unit),
-                             page.percent(here / known - 1.)))
+                             "–" if is_cut
+                             else page.percent(here / known - 1.)))
             number += 1
     if not rows:
         return None
@@ -144,7 +148,10 @@ def _free_air(scene):
         f"The reference is a bare charge {reflections.place_of_burst(scene)} "
         "(C. N. Kingery, G. Bulmash, ARBRL-TR-02555, 1984). "
         + reflections.note(scene, "the first probe" if scene.blast.found(
-            "results", "probe_2_arrival") is not None else "the probe"),
+            "results", "probe_2_arrival") is not None else "the probe")
+        + (" ≥: a lower limit, since the run ends within the positive phase "
+           "there; it has no difference." if any(
+               row[2].startswith("≥") for row in rows) else ""),
         numbers=(2, 3, 4))
 
 

@@ -27,8 +27,6 @@ COMPARED = {"peak_overpressure": "peak overpressure",
             "eardrum_rupture": "rupture probability of an eardrum in the open"}
 PROBE = least_phases.PROBE  # where the run is compared with the tables
 LUNGS = ("lung_exposure", "lung_lethality")
-# What grows with the positive phase.
-OF_THE_PHASE = ("impulse", "duration")
 CHANCES = ("lung_lethality", "eardrum_rupture")
 LARGE_BIAS = 0.1  # of the model, which may decide a verdict
 LEVEL = 0.1  # m, difference in height that the wave does not notice
@@ -190,7 +188,7 @@ def _compared(scene):
         cells = [_with_error(row.get(key), unit, is_chance,
                              row.get(f"{key}_error"))
                  for key in (("run", "tables") if compared else ("tables",))]
-        if compared and is_cut and name in OF_THE_PHASE:
+        if compared and is_cut and name in reflections.OF_THE_PHASE:
             cells[0] = "≥ " + cells[0]
         if compared and least is not None and name == "duration":
             cells[0] += f", least {page.milliseconds(least)}"

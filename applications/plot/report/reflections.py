@@ -6,6 +6,8 @@ from plot.readers import files
 from plot.report import least_phases, page
 
 SKIN = "nearest skin"
+# What grows with the positive phase.
+OF_THE_PHASE = ("impulse", "duration")
 
 
 def reflectors(scene, time=None):
