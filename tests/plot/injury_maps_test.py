@@ -197,6 +197,23 @@ class InjuryMapsTest(unittest.TestCase):
             for other in boxes[:i]:
                 self.assertFalse(box.overlaps(other))
 
+    def test_names_within_the_map(self):
+        """The border cuts none off, where the line has places farther in."""
+        found = fields()
+        x, y = np.meshgrid(np.linspace(-3., 3., 40), np.linspace(0., 3., 20))
+        for name, (values, unit) in found.items():
+            found[name] = np.ones_like(x), unit
+        # Most of the line goes along the border.
+        found["lung_lethality"] = np.where(
+            x - 2.9 + 4. * np.clip(y - 2.1, 0., 0.3) > 0., 0.8, 0.2), "-"
+        axis = self.drawn(found)["death by lung injury"]
+        axis.figure.canvas.draw()
+        name, = axis.texts
+        box, around = name.get_window_extent(), axis.get_window_extent()
+        self.assertEqual(name.get_text(), "50 %")
+        self.assertLess(box.x1, around.x1)
+        self.assertGreater(box.y0, around.y0)
+
     def test_lower_limits(self):
         """Are hatched, and told with their area; other fields are as before."""
         found = fields()

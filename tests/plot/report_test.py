@@ -1065,6 +1065,7 @@ class ReportTest(unittest.TestCase):
         style.set_up()
         for place, end in (((2.458, 0., 1.27), 6e-3), ((-2.5, 0., 0.05), 6e-3),
                            ((0.7, 0., 1.9), 12e-3), ((0.1, 0., 2.5), 12e-3),
+                           ((-20., 0., 0.3), 6e-3),
                            ((2.458, 0., 1.27), 1.9e-3)):
             scene = Scene(self.whole)
             scene.facts.update(charge_place=list(place), end_time=end,
@@ -1073,6 +1074,14 @@ class ReportTest(unittest.TestCase):
             self.assertEqual(labels.faults(figure), [])
             axis, = figure.axes
             way = axis.lines[0].get_xydata()
+            # The length of a way stands above it, not on that by the ground.
+            length, = (text for text in axis.texts if
+                       text.get_color() == axis.lines[0].get_color())
+            box = length.get_window_extent().transformed(
+                axis.transData.inverted())
+            rising = way[way[:, 0].argsort()]
+            self.assertGreater(box.y0, np.interp(
+                (box.x0, box.x1), rising[:, 0], rising[:, 1]).max())
             words = " ".join(text.get_text() for text in axis.texts)
             style.plt.close(figure)
             apart = np.linalg.norm(scene.loads().centroids - place, axis=1)
@@ -1085,6 +1094,57 @@ class ReportTest(unittest.TestCase):
             self.assertEqual(scene_sections._ground_is_hidden(scene), is_hidden)
             self.assertEqual("by the ground" in words,
                              not is_late and not is_hidden)
+
+    def test_names_of_close_moments(self):
+        """The letters of dotted lines stand beside each other."""
+        style.set_up()
+        figure = scene_sections._draw_timeline(
+            [scene_sections.Event("air", "front", time)
+             for time in (0., 5e-6, 6e-6, 5e-3)]
+            + [scene_sections.Event("skin", "chest", 4e-3, 9.5e-3)])
+        self.assertEqual(labels.faults(figure), [])
+        style.plt.close(figure)
+
+    def test_bars_of_low_pictures(self):
+        """Have room for their numbers and their name."""
+        style.set_up()
+        x, z = np.meshgrid(np.linspace(-2., 24., 53), np.linspace(0., 5., 11))
+        cuts = []
+        for number in range(6):
+            cut = types.SimpleNamespace(
+                quantity="pressure", unit="Pa", place=0., time=1e-2 * number,
+                axes="xz", values=1e5 + 4e4 * np.sin(x + z),
+                extent=lambda: (-2., 24., 0., 5.))
+            cuts.append(cut)
+        drawn = []
+        with unittest.mock.patch.object(
+                style, "save", lambda figure, _: drawn.append(figure)):
+            plane_cuts.draw_planes(cuts, None, True)
+        self.assertEqual(labels.faults(drawn[0]), [])
+        bars = [bar for axis in drawn[0].axes for bar in axis.child_axes]
+        self.assertEqual(len(bars), 2)
+        for bar in bars:
+            name = bar.yaxis.label.get_window_extent()
+            self.assertLess(name.height, 1.1 * bar.get_window_extent().height)
+        style.plt.close(drawn[0])
+
+    def test_hidden_place(self):
+        """Is numbered on the body, too: a vertex that neither view shows."""
+        style.set_up()
+        scene = Scene(self.whole)
+        views = blast_sections.views_of(scene)
+        places = {"chest": scene.loads().centroids[0],
+                  "hidden": scene.loads().centroids.mean(axis=0)}
+        self.assertEqual([views.spot(side, places["hidden"])
+                          for side in (0, 2)], [None, None])
+        figure = style.plt.figure()
+        body_loads._draw_places(
+            figure, types.SimpleNamespace(places=lambda: places), views,
+            list(places))
+        self.assertEqual(
+            [text.get_text() for axis in figure.axes for text in axis.texts
+             ].count("2"), 1)
+        style.plt.close(figure)
 
     def test_walls_in_the_drawing(self):
         """To scale within the picture, arrows to those beyond, words beside

@@ -275,14 +275,19 @@ def _draw_history(axis, gauges, name, colour, measures):
 
 def _draw_places(figure, loads, views, names):
     """Where the places are, seen from in front and from behind."""
-    places = loads.places()
-    known = [name for name in names if name in places]
-    for axis, side in zip(figure.subplots(2, 1), (0, 2)):
+    places, sides = loads.places(), (0, 2)
+    known = {name: [views.spot(side, places[name]) for side in sides]
+             for name in names if name in places}
+    hidden = [name for name, spots in known.items() if spots == [None, None]]
+    for name in hidden:
+        side = views.nearer_side(sides, places[name])
+        known[name][sides.index(side)] = views.spot(side, places[name], True)
+    for number, (axis, side) in enumerate(zip(figure.subplots(2, 1), sides)):
         axis.set_axis_off()
         width, height = views.side_extent(side)
         axis.imshow(views.paint_side(side), extent=(0., width, 0., height))
         axis.set_title(views.names()[side], fontsize=10)
-        spots = {name: views.spot(side, places[name]) for name in known}
+        spots = {name: found[number] for name, found in known.items()}
         for is_right in (False, True):
             names_here = [name for name, spot in spots.items()
                           if spot is not None
@@ -292,9 +297,11 @@ def _draw_places(figure, loads, views, names):
             for name in names_here:
                 # Numbers stand beside the body, apart from each other.
                 level = min(spots[name][1], level - 0.06 * height)
+                # Hollow where it is behind what is seen.
                 axis.plot(*spots[name], marker="o", markersize=3.5,
-                          color="black", markeredgecolor="white",
-                          markeredgewidth=0.5)
+                          color="white" if name in hidden else "black",
+                          markeredgecolor="black" if name in hidden
+                          else "white", markeredgewidth=0.5)
                 axis.annotate(
                     str(names.index(name) + 1), spots[name],
                     ((1.15 if is_right else -0.15) * width, level),

@@ -124,6 +124,12 @@ class BodyViews:
         be seen, unless hidden ones are wanted, too."""
         return self.sides[side].spot(self.axes @ point, even_hidden)
 
+    def nearer_side(self, sides, point):
+        """The one of these sides that has a point nearest to the eye."""
+        place = self.axes @ point - 0.5 * (self.low + self.high)
+        return max(sides, key=lambda side:
+                   VIEWS[side][3][1] * place[VIEWS[side][3][0]])
+
     def _gap(self):
         return GAP * (self.high - self.low)[2]
 

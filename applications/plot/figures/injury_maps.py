@@ -24,6 +24,8 @@ PANELS = {
                             {level: f"{level:g} m/s"
                              for level in (1., 2., 4., 8., 16.)}),
     "peak_overpressure": ("peak overpressure", {4. * PSI: "4 psi"})}
+# Part of a map's sides within which no name of a level stands.
+BORDER = 0.12
 # Names of the fields that planes with injuries have, others do not.
 INJURIES = ("eardrum_rupture", "lung_exposure", "lung_lethality",
             "chest_wall_velocity", "first_phase_fraction")
@@ -144,16 +146,23 @@ def _draw_levels(axis, plane, values, levels):
 
 
 def _name_levels(axis, lines, levels):
-    """Names each level once, where that is farthest from the names before; one
-    whose line would lie among unknown gauges has none."""
+    """Names each level once, where that is farthest from the names before, and
+    not at the border of the map, which would cut the name; one whose line would
+    lie among unknown gauges has none."""
     named = []
+    left, right = axis.get_xlim()
+    bottom, top = axis.get_ylim()
     for points in (max(parts, key=len, default=[]) for parts in lines.allsegs):
         if not len(points):
             continue
         # Not at the ends of the line, which are at those of the map.
         inner = points[len(points) // 5:-(len(points) // 5) or None]
+        part = (inner - [left, bottom]) / [right - left, top - bottom]
+        within = np.minimum(part, 1. - part).min(axis=1)
+        inner = inner[within >= min(BORDER, within.max())]
         apart = [min((np.linalg.norm(point - other) for other in named),
                      default=-abs(i - len(inner) / 2.))
                  for i, point in enumerate(inner)]
         named.append(inner[int(np.argmax(apart))])
     axis.clabel(lines, fontsize=8, fmt=levels, manual=named)
+    plt.setp(lines.labelTexts, clip_on=False)

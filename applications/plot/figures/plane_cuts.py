@@ -10,6 +10,8 @@ from matplotlib.ticker import MaxNLocator
 from plot.analysis import wave_times
 from plot.figures import style
 
+BAR = 1.  # inches, least height of a colour bar
+
 
 def _time(plane, planes):
     """The time of a plane, in one unit for all planes."""
@@ -80,8 +82,10 @@ def draw_planes(planes, path, one_scale=False):
         # The scale of all stands at the end of each row.
         if not one_scale or number in (len(planes), -(-number // columns)
                                        * columns):
-            _draw_bar(figure, axis, plane, image)
-        axis.set_title(_time(plane, planes))
+            _draw_bar(figure, axis, plane, image,
+                      (side - 1.) * height / width)
+        # Not above a bar that is higher than the picture.
+        axis.set_title(_time(plane, planes), y=1.)
     # All axes share these.
     axes[0, 0].set(xlim=limits[0], ylim=limits[1])
     for axis in axes[:, 0]:
@@ -109,11 +113,17 @@ def _draw_panel(axis, plane, values, scaled_by):
     return image, unit, (low, high)
 
 
-def _draw_bar(figure, axis, plane, drawn):
+def _draw_bar(figure, axis, plane, drawn, height):
+    """@p height: that of the picture [inches]; a low one has a higher bar."""
     image, unit, limits = drawn
-    bar = figure.colorbar(image, cax=axis.inset_axes([1.02, 0., 0.03, 1.]))
-    bar.set_label(style.label(_name(plane), unit), fontsize=9)
-    bar.ax.yaxis.set_major_locator(MaxNLocator(5))
+    part = max(1., BAR / height)
+    is_short = height < 2. * BAR
+    bar = figure.colorbar(image, cax=axis.inset_axes(
+        [1.02, 0.5 * (1. - part), 0.03, part]))
+    label = style.label(_name(plane), unit)
+    bar.set_label(label.replace(" [", "\n[") if is_short else label,
+                  fontsize=9)
+    bar.ax.yaxis.set_major_locator(MaxNLocator(3 if is_short else 5))
     bar.ax.set_ylim(*limits)
     bar.outline.set_visible(False)
 

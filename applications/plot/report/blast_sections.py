@@ -277,7 +277,8 @@ def histories(scene):
             "Overpressure at named places on the skin, averaged over the "
             "patch around each place. Dots mark the first peak, triangles the "
             "second one; above the curves both stand with overpressure and "
-            "time. The places are numbered on the body.", "svg"))
+            "time. The places are numbered on the body, hollow where they are "
+            "behind what is seen.", "svg"))
         parts += [_gauge_table(scene, gauges), _gauge_errors(scene, gauges)]
     force = resultant(scene)
     if force is not None:

@@ -252,7 +252,7 @@ def _draw_charge(scene, axis, away, has_ground):
     if has_ground:
         axis.annotate("", (charge[0], 0.), (charge[0], charge[2]),
                       arrowprops={"arrowstyle": "<->", "color": style.GREY})
-        axis.annotate(height, (charge[0], 0.5 * charge[2]), (5. * away, 0.),
+        axis.annotate(height, (charge[0], 0.5 * charge[2]), (8. * away, 0.),
                       va="center", color=style.GREY, **sides)
 
 
@@ -279,13 +279,13 @@ def _draw_ways(scene, axis, away, has_ground):
     direct = scene.fact("distance") or np.linalg.norm(charge - target)
     axis.plot([charge[0], target[0]], [charge[2], target[2]], **line)
     middle = 0.5 * (charge + target)
-    # On that side of the line from which it slopes away.
-    is_above = target[2] <= charge[2]
+    # Above the line, where the way by the ground never is, towards the end to
+    # which it falls.
+    end = -away if target[2] <= charge[2] else away
     axis.annotate(page.given(direct, "m", 3), (middle[0], middle[2]),
-                  (-2. * away, 4. if is_above else -4.),
-                  textcoords="offset points",
-                  ha="right" if away > 0. else "left",
-                  va="bottom" if is_above else "top", color=style.COLOURS[0])
+                  (2. * end, 4.), textcoords="offset points",
+                  ha="right" if end < 0. else "left", va="bottom",
+                  color=style.COLOURS[0])
     if not has_ground or _ground_is_hidden(scene):
         return
     bent = np.linalg.norm(charge * np.array([1., 1., -1.]) - target)
@@ -481,14 +481,13 @@ def _draw_timeline(found):
             axis.plot(1e3 * event.mark, row, marker="o", markersize=4,
                       color=style.COLOURS[1])
     air = [event for event in found if event.lane == "air"]
-    last_place = -np.inf
+    place = -np.inf
     for letter, event in zip("abcdefgh", air):
-        is_close = event.begin - last_place < 0.04 * last
-        last_place = event.begin
+        # Letters of nearly equal times stand beside each other.
+        place = max(event.begin, place + 0.04 * last)
         axis.axvline(1e3 * event.begin, color="black", linewidth=0.9,
                      linestyle=":")
-        axis.annotate(f"({letter})", (1e3 * event.begin, -0.65),
-                      (10 if is_close else 0, 3),
+        axis.annotate(f"({letter})", (1e3 * place, -0.65), (0, 3),
                       textcoords="offset points", ha="center", fontsize=9,
                       annotation_clip=False)
     axis.set_yticks(range(len(rows)), [event.what for event in rows])
