@@ -65,6 +65,10 @@ class InjuryMapsTest(unittest.TestCase):
         def told():
             return "".join(map(str, people(Scene(self.folder))))
         self.assertIn("error of these areas is unknown.", told())
+        self.assertIn("as if nobody but the meshed person were there, who "
+                      "reflects the wave and shields from it", told())
+        with unittest.mock.patch.object(Scene, "loads", lambda _: None):
+            self.assertIn("as if nobody were there: ", told())
         coarser = fields()
         coarser["eardrum_rupture"][0][:, 2] = 0.
         coarser["lung_lethality"][0][:] = 0.

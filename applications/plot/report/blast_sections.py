@@ -90,7 +90,7 @@ def people(scene):
             "of death by lung injury, the chest wall velocity and the peak "
             "overpressure.",
             "What the blast would do to people who stand in a plane of gauges, "
-            "as if nobody were there: " + "; ".join(words)
+            f"{_among_whom(scene)}: " + "; ".join(words)
             + " of it"
             + (" and of its mirror image"
                if next(iter(maps.values())).copies > 1 else "")
@@ -113,6 +113,16 @@ def people(scene):
             f"{KNOWN['chest_wall_velocity_air'].limits}."
             + _limits_of_velocity(maps)))
     return parts
+
+
+def _among_whom(scene):
+    """Which bodies the wave of the maps has met."""
+    body = "person" if person.is_person(scene) else "body"
+    return (f"as if nobody but the meshed {body} were there, "
+            f"{'who' if body == 'person' else 'which'} reflects the wave and "
+            "shields from it: maps and areas beside and behind "
+            f"the {body} are those of the wave so changed"
+            if scene.loads() is not None else "as if nobody were there")
 
 
 def _limits_of_velocity(maps):

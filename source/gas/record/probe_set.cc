@@ -66,11 +66,13 @@ void ProbeSet<dim>::declare_parameters(ParameterHandler &prm)
     prm,
     "Injury",
     "false",
-    used_with("Probes/Points or Probes/Lines or Probes/Gauge planes not empty",
-              "Whether lines and planes of probes also show what the blast "
-              "would do to people who stand there, as if nobody were there: "
-              "eardrum rupture, death by lung injury and the velocity of the "
-              "chest wall, which probe_injury.csv then has as well."));
+    used_with(
+      "Probes/Points or Probes/Lines or Probes/Gauge planes not empty",
+      "Whether lines and planes of probes also show what the blast "
+      "would do to people who stand there, as if nobody were there but "
+      "the body of this run, if it has one, which reflects the wave "
+      "and shields from it: eardrum rupture, death by lung injury and the velocity of the "
+      "chest wall, which probe_injury.csv then has as well."));
 }
 
 
