@@ -159,7 +159,7 @@ void fit_domain(ParameterHandler &scene, const MPI_Comm communicator)
     throw InputError("Domain/Size = by time needs Probes or a body of "
                      "finite size, which reflections may not reach before the "
                      "end time");
-  const double front = plan.expected_front(plan.end_time);
+  const double front = plan.expected_reach(plan.end_time);
   if (std::isnan(front))
     throw InputError("Domain/Size = by time needs a charge or another "
                      "spherical blast in gas at rest");

@@ -3,7 +3,7 @@
 
 #include <contrecoup/base/system/coordinates.h>
 #include <contrecoup/gas/run/modelling_plan.h>
-#include <contrecoup/numerics/injury/expected_blast.h>
+#include <contrecoup/numerics/injury/incident_wave.h>
 
 #include <algorithm>
 #include <cmath>
@@ -178,11 +178,38 @@ double ModellingPlan<dim>::expected_front(const double time) const
 
 
 template <int dim>
+double ModellingPlan<dim>::expected_reach(const double time) const
+{
+  return energy > 0. && is_spherical ? merged_blast().radius(time) : unknown;
+}
+
+
+template <int dim>
+ExpectedBlast ModellingPlan<dim>::merged_blast() const
+{
+  // Of TNT [J/kg].
+  constexpr double energy_per_mass = 4.5e6;
+  const bool merges =
+    std::any_of(walls.begin(), walls.end(), [&](const unsigned int side) {
+      const unsigned int d = side / 2;
+      const double gap =
+        std::abs((side % 2 == 0 ? lower : upper)[d] - centre[d]);
+      // The energy is in full space where the centre is on the wall.
+      return gap > 1e-9 * (upper[d] - lower[d]) &&
+             IncidentWave::is_surface_burst(
+               energy / energy_per_mass, gap, OpenSides<dim>::never);
+    });
+  return {(merges ? IncidentWave::surface_mass : 1.) * energy,
+          ambient.pressure,
+          ambient.density};
+}
+
+
+template <int dim>
 void ModellingPlan<dim>::expect_return(Assumption &item) const
 {
-  const ExpectedBlast blast(energy, ambient.pressure, ambient.density);
   const ReflectedPath<dim> first = paths_by_open_sides().front();
-  item.value = blast.arrival(first.length);
+  item.value = merged_blast().arrival(first.length);
   item.quantity = first_reflection + place_of(first.gauge);
 }
 
@@ -208,11 +235,22 @@ void ModellingPlan<dim>::measure_return(const Measurements &measured,
   const double sound_speed =
     std::sqrt(1.4 * ambient.pressure / ambient.density);
   item.value = OpenSides<dim>::never;
+  // Along a side it goes with the front, not at the speed of sound on the way
+  // back.
+  double expected = OpenSides<dim>::never;
+  dealii::Point<dim> disturbed;
   for (const ReflectedPath<dim> &path : paths_by_open_sides())
   {
+    const bool is_reached = measured.side_arrivals[path.side] <= measured.time;
     const double reached =
-      std::min(measured.side_arrivals[path.side], measured.time);
+      is_reached ? measured.side_arrivals[path.side] : measured.time;
     const double back = reached + (path.length - path.to_side) / sound_speed;
+    if (is_reached && expected == OpenSides<dim>::never && energy > 0. &&
+        is_spherical)
+    {
+      expected = merged_blast().arrival(path.length);
+      disturbed = path.gauge;
+    }
     if (back >= item.value)
       continue;
     item.value = back;
@@ -220,8 +258,14 @@ void ModellingPlan<dim>::measure_return(const Measurements &measured,
       (back > measured.time ? earliest_reflection : first_reflection) +
       place_of(path.gauge);
   }
+  // What is measured is too late: the estimate stands.
+  if (expected < std::min(item.value, end_time))
+  {
+    item.quantity = first_reflection + place_of(disturbed);
+    item.value = unknown;
+  }
   // What comes after a run that has stopped is not known of the whole one.
-  if (item.value > measured.time && measured.time < end_time * (1. - 1e-9))
+  else if (item.value > measured.time && measured.time < end_time * (1. - 1e-9))
     item.value = unknown;
 }
 

@@ -123,10 +123,17 @@ std::vector<Assumption> RunPlan<dim>::plan(const Recorders<dim> &recorders)
   plan_.lower = mesh.lower_corner();
   plan_.upper = mesh.upper_corner();
   plan_.open_sides.clear();
+  plan_.walls.clear();
   for (unsigned int side = 0; side < 2 * dim; ++side)
-    if (mesh.is_axis_aligned() && !mesh.is_periodic(side / 2) &&
-        scene.boundary.kind(side) == Boundary<dim>::Kind::open)
-      plan_.open_sides.push_back(side);
+    if (mesh.is_axis_aligned() && !mesh.is_periodic(side / 2))
+    {
+      const auto kind = scene.boundary.kind(side);
+      const bool is_axis = side == 0 && mesh.geometry() != Geometry::plane;
+      if (kind == Boundary<dim>::Kind::open)
+        plan_.open_sides.push_back(side);
+      else if (kind == Boundary<dim>::Kind::wall && !is_axis)
+        plan_.walls.push_back(side);
+    }
   plan_.probes = recorders.template get<ProbeSet<dim>>().places();
   plan_.gauges = plan_.probes;
   const auto &rasters = recorders.template get<ProbeRasters<dim>>().places();

@@ -52,14 +52,14 @@ TEST(ModellingPlan, KnowsTheFirstReflection)
   const ExpectedBlast blast(4e6, pressure, density);
   EXPECT_DOUBLE_EQ(value_of(plan.plan(), "reflection"), blast.arrival(4.));
 
-  // x = 3 was reached at 5 ms, y = 5 not yet.
+  // x = 3 was reached at 2 ms, y = 5 not yet.
   ModellingPlan<2>::Measurements measured;
   measured.time = 0.008;
   measured.smallest_subcell = 0.01;
   measured.side_arrivals.fill(OpenSides<2>::never);
-  measured.side_arrivals[1] = 0.005;
+  measured.side_arrivals[1] = 0.002;
   EXPECT_DOUBLE_EQ(value_of(plan.audit(measured), "reflection"),
-                   0.005 + 1. / sound_speed);
+                   0.002 + 1. / sound_speed);
   // No side was reached: nothing can be back sooner than from the nearest.
   measured.side_arrivals[1] = OpenSides<2>::never;
   measured.time = 0.01;
@@ -71,6 +71,48 @@ TEST(ModellingPlan, KnowsTheFirstReflection)
         item.quantity,
         "earliest possible reflection from an open side at the probe at 2, 0 m");
     }
+}
+
+// Along a side that it meets at grazing angle the front disturbs a probe sooner
+// than sound could come back from there: the estimate stands. With both after
+// the end there is nothing to judge.
+TEST(ModellingPlan, LeavesTheEstimateWhereTheMeasuredReturnIsLater)
+{
+  ModellingPlan<2> plan = quarter();
+  plan.upper[1] = 1.;
+  plan.open_sides = {3};
+  plan.gauges = {dealii::Point<2>(2.9, 0.)};
+  const double expected =
+    ExpectedBlast(4e6, pressure, density).arrival(std::hypot(2.9, 2.));
+  ModellingPlan<2>::Measurements measured;
+  measured.smallest_subcell = 0.01;
+  measured.side_arrivals.fill(OpenSides<2>::never);
+  measured.side_arrivals[3] = expected - 1.5 / sound_speed;
+  for (const double end : {1.1 * expected, 0.9 * expected})
+  {
+    plan.end_time = measured.time = end;
+    EXPECT_DOUBLE_EQ(value_of(plan.plan(), "reflection"), expected);
+    EXPECT_EQ(fails(plan, "reflection"), end > expected);
+    EXPECT_EQ(std::isnan(value_of(plan.audit(measured), "reflection")),
+              end > expected);
+  }
+}
+
+// A wall close to the charge makes one wave with it; one through its centre is
+// in the energy.
+TEST(ModellingPlan, KnowsWhatWallsCloseToTheChargeAdd)
+{
+  ModellingPlan<2> plan = quarter();
+  plan.walls = {2};
+  for (const auto &[height, factor] :
+       {std::pair{0., 1.}, std::pair{0.05, 1.8}, std::pair{0.5, 1.}})
+  {
+    plan.centre[1] = height;
+    const ExpectedBlast blast(factor * 4e6, pressure, density);
+    EXPECT_DOUBLE_EQ(value_of(plan.plan(), "reflection"),
+                     blast.arrival(std::hypot(4., height)));
+    EXPECT_DOUBLE_EQ(plan.expected_reach(0.01), blast.radius(0.01));
+  }
 }
 
 // What would come back after the stop is neither measured nor judged, whether

@@ -7,6 +7,7 @@
 #include <contrecoup/gas/record/open_sides.h>
 #include <contrecoup/gas/run/reflected_path.h>
 #include <contrecoup/gas/state/gas_state.h>
+#include <contrecoup/numerics/injury/expected_blast.h>
 
 #include <limits>
 #include <vector>
@@ -22,8 +23,10 @@ namespace contrecoup::gas
  *   equation_of_state fraction of the pressure of explosive products that an
  *                     ideal gas lacks
  *   reflection        waves reflected at open sides reach all gauges after the
- *                     end time; not judged of a run that stopped before they
- *                     could
+ *                     end time: not earlier than the front would come from the
+ *                     blast's image behind the side, as along a side that it
+ *                     meets at grazing angle; not judged of a run that stopped
+ *                     before they could
  *   air               constant heat capacities
  *   gravity           its speed is small compared with that of the gas
  *   viscosity,        their boundary layers at the end are thinner than the
@@ -48,7 +51,7 @@ public:
   GasState<dim> ambient;
   bool surrounds_explosives = false; ///< whether the ambient gas does
   dealii::Point<dim> lower, upper;   ///< of the domain [m]
-  std::vector<unsigned int> open_sides;
+  std::vector<unsigned int> open_sides, walls;
   std::vector<dealii::Point<dim>> probes;
   /// All places that no reflection from open sides may reach: the probes, and
   /// those of lines and planes.
@@ -78,6 +81,9 @@ public:
   /// Expected distance of the blast front from its centre at @p time [m]; NaN
   /// if unknown.
   double expected_front(const double time) const;
+  /// The same of the front and the reflection by walls that have merged: what
+  /// reflections from open sides cannot outrun [m].
+  double expected_reach(const double time) const;
 
   std::vector<Assumption> plan() const;
   std::vector<Assumption> audit(const Measurements &measured) const;
@@ -90,6 +96,9 @@ public:
 private:
   /// All items without values.
   std::vector<Assumption> items() const;
+  /// That of the front and of the reflection by walls close to the centre,
+  /// which make one wave.
+  ExpectedBlast merged_blast() const;
   /// The shortest one to a gauge by each open side.
   std::vector<ReflectedPath<dim>> paths_by_open_sides() const;
   /// Sets time and place of the first reflection that the blast is expected to
