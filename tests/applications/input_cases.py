@@ -658,6 +658,10 @@ def near_sides():
                    entry("Blast/Domain/Upper corner", "0.64, 0.64, 1.92"),
                    entry("Blast/Domain/Coarse leaves", "3, 2, 3")),
            "WARNING: reflection: from the charge by the open side x high back")
+    yield ("open side that the front runs along", "scene",
+           shipped(SCENE, entry("Blast/Domain/Lower corner", "-1.28, -0.9, 0"),
+                   entry("Blast/Domain/Upper corner", "4.48, 0.9, 3.2")),
+           "WARNING: grazed side: the front runs along the open side y")
     street = [entry("Scene/End time", "0.006"),
               entry("Blast/Domain/Lower corner", "-1.28, -1.28, 0"),
               entry("Blast/Domain/Upper corner", "4.48, 1.28, 3.2"),

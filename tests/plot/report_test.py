@@ -1510,6 +1510,31 @@ class ReportTest(unittest.TestCase):
         for word in ("duration", "is missing (limit"):
             self.assertFalse(word in answer, word)
 
+    def test_reflections_that_do_not_reach_the_body(self):
+        """Are no reservation of the verdict; others are told with their
+        place."""
+        scene = Scene.__new__(Scene)
+        row = {"item": "reflection", "estimate": "0.0084 s", "found": "0.0091 s",
+               "limit": "at least 0.0095 s", "holds": False}
+
+        def limits(place, at_body):
+            scene.facts = {
+                "end_time": 0.0095, "reflection_at_body": at_body,
+                "probe_beside_body": [0.289412, 0.5362, 0.3],
+                "audit": [row | {"quantity": "first reflection from an open "
+                                 f"side at the probe at {place} m"}]}
+            limits = headline._limits(scene)
+            self.assertEqual(reflections.open_sides_disturb(scene),
+                             bool(limits))
+            return limits
+        self.assertEqual(limits("3.5, 3, 1.2", 0.02), [])
+        told = "Beyond its limit: arrival of a wave reflected by an open side " \
+            "of the domain at the probe at {} m (0.0091 s; limit: at least " \
+            "0.0095 s)."
+        for place, at_body in (("3.5, 3, 1.2", 0.009), ("3.5, 3, 1.2", None),
+                               ("0.2894, 0.5362, 0.3", 0.02)):
+            self.assertEqual(limits(place, at_body), [told.format(place)])
+
     def test_limits_of_what_was_not_measured(self):
         """An estimate beyond its limit is named as such."""
         row = {"quantity": "cells", "estimate": "6.6", "found": "unknown",

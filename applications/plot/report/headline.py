@@ -403,7 +403,9 @@ def _tables(scene, judged):
                else " (the TNT equivalence is a ratio of energies, not "
                "measured)") + "; loads and verdicts carry "
             + ("these differences." if len(differing) > 1
-               else "this difference."))
+               else "this difference.")
+            + (" What open sides of the domain send back may be the cause."
+               if reflections.open_sides_disturb(scene) else ""))
     other = verdict.other_lungs(scene, judged)
     if other is not None and not disagrees:
         load, known, place = other
@@ -548,6 +550,15 @@ def _ground(scene):
                 for row in scene.list_of("plan")) else []
 
 
+def _words(row):
+    """An item of the audit for readers who do not know the plan, with the place
+    where it was found."""
+    words, place = WORDS.get(row.get("item")), row["quantity"].partition(
+        " open side at ")[2]
+    return (words + (f" at {place}" if place else "")) if words else \
+        row["quantity"]
+
+
 def _limits(scene):
     """Items of the audit beyond their limits."""
     def known(row):
@@ -556,9 +567,9 @@ def _limits(scene):
         return f"estimated at {row.get('estimate')}" + (
             "" if "not measured" in row["quantity"] else ", not measured")
 
-    failed = [f"{WORDS.get(row.get('item')) or row.get('quantity')} "
-              f"({known(row)}; limit: {row.get('limit')})"
+    failed = [f"{_words(row)} ({known(row)}; limit: {row.get('limit')})"
               for row in scene.list_of("audit")
-              if row.get("holds") is False and row.get("limit")]
+              if row.get("holds") is False and row.get("limit")
+              and not reflections.is_elsewhere(scene, row)]
     return ["Beyond " + ("their limits" if len(failed) > 1 else "its limit")
             + ": " + "; ".join(failed) + "."] if failed else []

@@ -2,6 +2,8 @@
 # Copyright (C) 2026 by the Contrecoup authors
 """What reflects the blast wave to the body and to the probe beside it."""
 
+import re
+
 from plot.readers import files
 from plot.report import least_phases, page
 
@@ -176,6 +178,29 @@ def _place_of_second_shock(scene):
     if merged or _planes(scene) or "reflections" not in scene.facts:
         return None
     return least_phases.place_of_same_wave(scene)
+
+
+def is_elsewhere(scene, row):
+    """Whether an item of the audit is that of a wave which open sides send to
+    gauges alone, neither to the body nor to the probe beside it, before the
+    end."""
+    if row.get("item") != "reflection":
+        return False
+    at_body, end = map(scene.fact, ("reflection_at_body", "end_time"))
+    probe = scene.facts.get("probe_beside_body")
+    place = re.search(r" at ([^a-z]+) m$", str(row.get("quantity")))
+    is_of_probe = probe and place and all(
+        abs(found - known) < 1e-3 for found, known in zip(
+            map(float, place[1].split(",")), probe))
+    return not is_of_probe and None not in (at_body, end) and at_body >= end
+
+
+def open_sides_disturb(scene):
+    """Whether open sides send a wave to the body, or to the probe beside it,
+    before the end."""
+    return any(row.get("item") == "reflection" and row.get("holds") is False
+               and not is_elsewhere(scene, row)
+               for row in scene.list_of("audit"))
 
 
 def is_late(scene, arrival, time):

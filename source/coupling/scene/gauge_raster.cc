@@ -70,6 +70,15 @@ std::vector<Point<3>> GaugeRaster::places(const double spacing) const
 }
 
 
+Point<3> nearest_place(const dealii::BoundingBox<3> &box, const Point<3> &place)
+{
+  Point<3> nearest;
+  for (unsigned int d = 0; d < 3; ++d)
+    nearest[d] = std::clamp(place[d], box.lower_bound(d), box.upper_bound(d));
+  return nearest;
+}
+
+
 double farthest_distance(const dealii::BoundingBox<3> &box,
                          const Point<3> &place)
 {

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace contrecoup::coupling
 {
@@ -46,29 +47,6 @@ namespace
                                      SceneLayout::air_pressure);
     return time;
   }
-
-  Reflection reflection_at(const SceneParameters &scene,
-                           const SceneLayout &layout,
-                           const ReflectingPlane &plane,
-                           const Point<3> &place)
-  {
-    // Error of the tables' arrivals.
-    constexpr double accuracy = 0.05;
-    const IncidentWave wave = layout.incident_wave(scene);
-    const double direct = place.distance(layout.charge);
-    const double mirrored = place.distance(plane.image(layout.charge));
-    const double before = plane.distance(layout.charge);
-    const double to_plane =
-      std::clamp(mirrored * before / (before + plane.distance(place)),
-                 std::min(layout.charge_radius, mirrored),
-                 mirrored);
-    const double arrival = wave.value(BlastQuantity::arrival, direct);
-    const double delay = earliest_arrival(wave, to_plane, mirrored) - arrival;
-    return {plane.name,
-            std::max(delay, 0.),
-            (mirrored - direct) / SceneLayout::sound_speed,
-            delay <= accuracy * arrival};
-  }
 } // namespace
 
 
@@ -105,6 +83,54 @@ reflecting_planes(const SceneLayout &layout,
 }
 
 
+std::vector<ReflectingPlane> open_planes(const SceneLayout &layout,
+                                         const std::vector<ChosenSide> &sides)
+{
+  std::vector<ReflectingPlane> planes;
+  for (unsigned int side = 0; side < 6; ++side)
+  {
+    const unsigned int d = side / 2;
+    const bool is_high = side % 2 == 1;
+    const std::string name =
+      std::string(1, "xyz"[d]) + (is_high ? " high" : " low");
+    const bool is_chosen =
+      std::any_of(sides.begin(), sides.end(), [&](const ChosenSide &one) {
+        return one.name == name && one.kind != "open";
+      });
+    const bool is_closed = (name == "z low" && layout.has_ground()) ||
+                           (name == "y low" && layout.is_half);
+    if (!is_chosen && !is_closed)
+      planes.push_back(
+        {name, "", d, (is_high ? layout.upper : layout.lower)[d]});
+  }
+  return planes;
+}
+
+
+Reflection reflection_at(const SceneParameters &scene,
+                         const SceneLayout &layout,
+                         const ReflectingPlane &plane,
+                         const Point<3> &place)
+{
+  // Error of the tables' arrivals.
+  constexpr double accuracy = 0.05;
+  const IncidentWave wave = layout.incident_wave(scene);
+  const double direct = place.distance(layout.charge);
+  const double mirrored = place.distance(plane.image(layout.charge));
+  const double before = plane.distance(layout.charge);
+  const double to_plane =
+    std::clamp(mirrored * before / (before + plane.distance(place)),
+               std::min(layout.charge_radius, mirrored),
+               mirrored);
+  const double arrival = wave.value(BlastQuantity::arrival, direct);
+  const double delay = earliest_arrival(wave, to_plane, mirrored) - arrival;
+  return {plane.name,
+          std::max(delay, 0.),
+          (mirrored - direct) / SceneLayout::sound_speed,
+          delay <= accuracy * arrival};
+}
+
+
 std::vector<Reflection> reflections_at(const SceneParameters &scene,
                                        const SceneLayout &layout,
                                        const std::vector<ChosenSide> &sides,
@@ -114,6 +140,34 @@ std::vector<Reflection> reflections_at(const SceneParameters &scene,
   for (const ReflectingPlane &plane : reflecting_planes(layout, sides))
     all.push_back(reflection_at(scene, layout, plane, place));
   return all;
+}
+
+
+std::string grazed_side(const SceneParameters &scene,
+                        const SceneLayout &layout,
+                        const std::vector<ChosenSide> &sides)
+{
+  const Point<3> place = layout.probe.value_or(layout.nearest_skin);
+  for (const ReflectingPlane &plane : open_planes(layout, sides))
+    if (reflection_at(scene, layout, plane, place).merges)
+      return plane.name;
+  return "";
+}
+
+
+double open_reflection_at_body(const SceneParameters &scene,
+                               const SceneLayout &layout,
+                               const std::vector<ChosenSide> &sides)
+{
+  double way = std::numeric_limits<double>::infinity();
+  for (const ReflectingPlane &plane : open_planes(layout, sides))
+  {
+    const Point<3> image = plane.image(layout.charge);
+    way = std::min(way, image.distance(nearest_place(layout.body, image)));
+    if (layout.probe)
+      way = std::min(way, image.distance(*layout.probe));
+  }
+  return std::isfinite(way) ? layout.point_source(scene).arrival(way) : way;
 }
 
 
@@ -136,10 +190,7 @@ bool sees_reflection(const SceneParameters &scene,
                      const ReflectingPlane &plane)
 {
   const Point<3> image = plane.image(layout.charge);
-  Point<3> nearest;
-  for (unsigned int d = 0; d < 3; ++d)
-    nearest[d] = std::clamp(
-      image[d], layout.body.lower_bound(d), layout.body.upper_bound(d));
+  const Point<3> nearest = nearest_place(layout.body, image);
   return !(layout.incident_wave(scene).value(
              BlastQuantity::arrival, image.distance(nearest)) > scene.end_time);
 }

@@ -8,6 +8,7 @@
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/coupling/first_stage/first_stage_parameters.h>
+#include <contrecoup/coupling/scene/reflecting_plane.h>
 #include <contrecoup/coupling/scene/scene_checks.h>
 #include <contrecoup/gas/adaptation/size_limits.h>
 #include <contrecoup/gas/run/reflected_path.h>
@@ -255,18 +256,35 @@ std::string reflection_warning(const PlannedScene &scene, const TaskText &blast)
       layout.charge, corners.first, corners.second, open, nearest)
       .front();
   const double end_time = scene.parameters().end_time;
-  const double arrival = ExpectedBlast(scene.parameters().energy(),
-                                       SceneLayout::air_pressure,
-                                       SceneLayout::air_density)
-                           .arrival(path.length);
+  const double arrival =
+    layout.point_source(scene.parameters()).arrival(path.length);
   if (arrival >= end_time)
     return "";
   return "WARNING: reflection: from the charge by the open side " +
          sides[path.side] + " back to the probe at " + coordinates(path.gauge) +
          " m it is " + brief(path.length, 3) + " m, and the front goes that " +
          "way in " + brief(arrival, 3) + " s, before the end at " +
-         brief(end_time) +
-         " s; a larger Blast/Domain, or none, keeps its reflection away";
+         brief(end_time) + " s; a " +
+         (layout.has_own_corners() ? "larger Blast/Domain, or none,"
+                                   : "shorter Scene/End time") +
+         " keeps its reflection away";
+}
+
+
+std::string grazing_warning(const PlannedScene &scene)
+{
+  const SceneLayout &layout = scene.layout();
+  const std::string side =
+    layout.has_own_corners()
+      ? grazed_side(scene.parameters(), layout, scene.sides())
+      : "";
+  return side.empty()
+           ? ""
+           : "WARNING: grazed side: the front runs along the open side " +
+               side +
+               " before it reaches the body, where the wave is disturbed by it "
+               "from its arrival on; a larger Blast/Domain, or none, keeps "
+               "that away";
 }
 
 

@@ -73,10 +73,7 @@ SceneLayout::SceneLayout(const SceneParameters &scene,
   constexpr double far = 1e6; // [m]
   place_probe(
     {{Point<3>(-far, is_half ? 0. : -far, 0.), Point<3>(far, far, far)}});
-  const ExpectedBlast blast(
-    (is_surface_burst ? IncidentWave::surface_mass : 1.) * scene.energy(),
-    air_pressure,
-    air_density);
+  const ExpectedBlast blast = point_source(scene);
   expect_front(scene, blast);
   const Point<3> image(charge[0], charge[1], -charge[2]);
   last_arrival = blast.arrival(farthest_distance(body, image));
@@ -160,6 +157,14 @@ void SceneLayout::place_charge(const SceneParameters &scene,
 IncidentWave SceneLayout::incident_wave(const SceneParameters &scene) const
 {
   return {scene.explosive.tnt, scene.mass, scene.energy(), is_surface_burst};
+}
+
+
+ExpectedBlast SceneLayout::point_source(const SceneParameters &scene) const
+{
+  return {(is_surface_burst ? IncidentWave::surface_mass : 1.) * scene.energy(),
+          air_pressure,
+          air_density};
 }
 
 

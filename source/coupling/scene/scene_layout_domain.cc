@@ -120,14 +120,21 @@ void SceneLayout::set_corners()
 
 void SceneLayout::watch(const std::vector<GaugeRaster> &gauges)
 {
-  const dealii::BoundingBox<3> domain({lower, upper});
-  for (const GaugeRaster &gauge : gauges)
-    if (domain.point_inside(gauge.begin) && domain.point_inside(gauge.end))
-      for (const Point<3> &corner : {gauge.begin, gauge.end})
-        watched_.push_back(corner);
-  if (product_of(leaves_for(front_distance)) > max_leaves)
+  // The domain for one gauge may hold the next one, too.
+  std::size_t n_watched = 0;
+  do
+  {
+    n_watched = watched_.size();
     watched_.clear();
-  set_corners();
+    const dealii::BoundingBox<3> domain({lower, upper});
+    for (const GaugeRaster &gauge : gauges)
+      if (domain.point_inside(gauge.begin) && domain.point_inside(gauge.end))
+        for (const Point<3> &corner : {gauge.begin, gauge.end})
+          watched_.push_back(corner);
+    if (product_of(leaves_for(front_distance)) > max_leaves)
+      watched_.clear();
+    set_corners();
+  } while (watched_.size() > n_watched);
 }
 
 

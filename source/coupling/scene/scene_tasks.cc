@@ -204,7 +204,8 @@ namespace
       const std::vector<TaskText> all = texts();
       for (const TaskText &text : all)
         warnings.insert(warnings.end(), text.unused.begin(), text.unused.end());
-      std::vector<std::string> of_blast = {gauge_cells_warning(scene_, all[1])};
+      std::vector<std::string> of_blast = {gauge_cells_warning(scene_, all[1]),
+                                           grazing_warning(scene_)};
       if (!about_to_run)
         of_blast.push_back(reflection_warning(scene_, all[1]));
       for (const std::string &warning : of_blast)

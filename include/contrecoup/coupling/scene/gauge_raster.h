@@ -30,6 +30,10 @@ struct GaugeRaster
   std::vector<dealii::Point<3>> places(double spacing) const;
 };
 
+/// Place in the box that is nearest to @p place.
+dealii::Point<3> nearest_place(const dealii::BoundingBox<3> &box,
+                               const dealii::Point<3> &place);
+
 /// Distance from @p place to the farthest corner of the box [m].
 double farthest_distance(const dealii::BoundingBox<3> &box,
                          const dealii::Point<3> &place);

@@ -33,6 +33,11 @@ std::vector<ReflectingPlane>
 reflecting_planes(const SceneLayout &layout,
                   const std::vector<ChosenSide> &sides);
 
+/// The open sides of the domain, which send back some of the wave, and all of
+/// it at grazing angles; the names are "x low" and the like.
+std::vector<ReflectingPlane> open_planes(const SceneLayout &layout,
+                                         const std::vector<ChosenSide> &sides);
+
 /// When the reflection by a plane follows the incident wave at a place.
 struct Reflection
 {
@@ -46,12 +51,30 @@ struct Reflection
   bool merges;
 };
 
+Reflection reflection_at(const SceneParameters &scene,
+                         const SceneLayout &layout,
+                         const ReflectingPlane &plane,
+                         const dealii::Point<3> &place);
+
 /// Those by all planes.
 /// @param sides that the user chose
 std::vector<Reflection> reflections_at(const SceneParameters &scene,
                                        const SceneLayout &layout,
                                        const std::vector<ChosenSide> &sides,
                                        const dealii::Point<3> &place);
+
+/// Open side that the front runs along before it reaches the probe beside the
+/// body, or the nearest skin: what comes from there may be one with the wave.
+/// Empty: none.
+std::string grazed_side(const SceneParameters &scene,
+                        const SceneLayout &layout,
+                        const std::vector<ChosenSide> &sides);
+
+/// When the front can come from the charge's image behind an open side to the
+/// body, or to the probe beside it [s]; infinite without open sides.
+double open_reflection_at_body(const SceneParameters &scene,
+                               const SceneLayout &layout,
+                               const std::vector<ChosenSide> &sides);
 
 /// What a plane adds to a quantity of the incident wave at the body's distance
 /// where its reflection has merged with that: what the ground adds to a surface

@@ -26,6 +26,10 @@ void check_blast(const PlannedScene &scene, const TaskText &blast);
 std::string reflection_warning(const PlannedScene &scene,
                                const TaskText &blast);
 
+/// A warning where an open side of the user's domain is so near that the front
+/// runs along it before it reaches the body; empty: none is.
+std::string grazing_warning(const PlannedScene &scene);
+
 /**
  * A warning where probes, lines and planes of gauges have coarser cells than
  * fronts at the body, too coarse for the cells that the positive phase should

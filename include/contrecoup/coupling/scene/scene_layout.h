@@ -108,6 +108,10 @@ struct SceneLayout
   /// air.
   IncidentWave incident_wave(const SceneParameters &scene) const;
 
+  /// The point source of the charge's energy, as it spreads on the ground or in
+  /// free air.
+  ExpectedBlast point_source(const SceneParameters &scene) const;
+
   /// Where the wave in the air is asked for: by the user, and at the probe.
   std::vector<GaugeRaster> gauges(const SceneParameters &scene) const;
 
@@ -136,6 +140,11 @@ struct SceneLayout
   bool has_ground() const
   {
     return own_.has_ground;
+  }
+
+  bool has_own_corners() const
+  {
+    return own_.lower || own_.upper;
   }
 
   /// Longest edge of the subcells at a refinement level [m].
