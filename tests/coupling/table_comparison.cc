@@ -356,6 +356,34 @@ TEST(TableComparison, IsOfTheFirstPeak)
 }
 
 
+// Neither a body nor the ground can add any impulse: what is more than they can
+// is marked, and so are the duration and the load that follow from it.
+TEST(TableComparison, LeavesNoMoreToReflectionsThanTheyCanAdd)
+{
+  for (const double height : {0.06, 3.})
+    for (const double factor : {1.2, 2.7})
+    {
+      const SceneParameters scene = scene_of("tnt", height);
+      const SceneLayout layout = layout_of(scene);
+      const auto tables = table_answer(scene, layout, 70.);
+      const io::TemporaryFolder folder;
+      write_blast(
+        folder.path() + "/blast", *tables, factor, false, 1.5 / factor);
+      const auto rows =
+        compare_with_tables(scene, layout, 70., folder.path(), false);
+      for (const ComparedQuantity &one : rows)
+        if (one.name == "impulse" || one.name == "lung_exposure")
+        {
+          EXPECT_EQ(one.differs, factor > 2.) << height << " " << one.name;
+        }
+      const std::string warning = warning_of(rows, scene.explosive, true);
+      EXPECT_EQ(warning.find("impulse ") != std::string::npos, factor > 2.);
+      EXPECT_EQ(warning.find("what open sides send back") != std::string::npos,
+                !warning.empty());
+    }
+}
+
+
 // The tables have what the ground adds to a charge that lies on it.
 TEST(TableComparison, LeavesNothingToTheGroundOfASurfaceBurst)
 {

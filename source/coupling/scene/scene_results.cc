@@ -382,8 +382,12 @@ void print_audit(const PlannedScene &scene,
   for (const std::string &line : io::audit_lines(
          named(whole_plan(scene, folder), tasks), named(audit, tasks)))
     log_line(line);
-  const std::string warning =
-    warning_of(compared(scene, tasks, folder), scene.parameters().explosive);
+  const SceneParameters &parameters = scene.parameters();
+  const std::string warning = warning_of(
+    compared(scene, tasks, folder),
+    parameters.explosive,
+    open_reflection_at_body(parameters, scene.layout(), scene.sides()) <
+      parameters.end_time);
   if (!warning.empty())
     log_line(warning);
 }

@@ -191,6 +191,49 @@ namespace
   }
 
 
+  /// Largest rise of the impulse at the probe by reflections that come later,
+  /// by the tables: the ground and walls send no more than a charge in their
+  /// place would on a wall, the body what a rigid cylinder of its width
+  /// scatters back (amplitude sqrt(a / 2 r) at the distance r from its axis, by
+  /// geometrical acoustics) of what a wall would; infinite where the tables
+  /// end.
+  double largest_rise(const SceneParameters &scene,
+                      const SceneLayout &layout,
+                      const std::vector<ChosenSide> &sides)
+  {
+    const IncidentWave wave = layout.incident_wave(scene);
+    const auto impulse = [&](const double way) {
+      return wave.value(BlastQuantity::impulse, way);
+    };
+    const double of_wall =
+      wave.value(BlastQuantity::reflected_impulse, layout.distance) /
+        impulse(layout.distance) -
+      1.;
+    const double radius =
+      0.5 * std::max(layout.body.side_length(0), layout.body.side_length(1));
+    const double gap =
+      layout.probe->distance(nearest_place(layout.body, *layout.probe));
+    double rise = std::sqrt(0.5 * radius / (radius + gap));
+    for (const ReflectingPlane &plane : reflecting_planes(layout, sides))
+      rise += impulse(plane.image(layout.charge).distance(*layout.probe)) /
+              impulse(layout.distance);
+    return std::isfinite(rise * of_wall) ? rise * of_wall
+                                         : std::numeric_limits<double>::max();
+  }
+
+
+  /// Whether a rise explains an impulse of the run, within the errors of both.
+  bool explains(const double rise,
+                const std::pair<double, double> &fine_and_coarse,
+                const std::pair<double, double> &tables_and_error)
+  {
+    const auto [run, coarse] = fine_and_coarse;
+    const auto [tables, error] = tables_and_error;
+    return run * (1. - std::fmax(error_of(run, coarse), 0.)) <=
+           (1. + rise + error) * tables;
+  }
+
+
   std::string words_of(const ComparedQuantity &one)
   {
     static const std::vector<std::pair<std::string, std::string>> titles{
@@ -296,15 +339,16 @@ compare_with_tables(const SceneParameters &scene,
   };
   const bool is_cut = result_of(fine, "probe_1_cut_off") > 0.;
   add("peak_overpressure", "Pa", answer->in_the_open.overpressure, merges);
-  add("impulse", "Pa s", answer->impulse, true, is_cut);
-  add("duration",
-      "s",
-      answer->duration,
-      true,
-      is_cut || (merges && value_of(fine, "duration") >=
-                             least_merged_duration(scene, layout.distance)));
+  const bool may_add = explains(largest_rise(scene, layout, sides),
+                                values("impulse"),
+                                {answer->impulse, error});
+  add("impulse", "Pa s", answer->impulse, may_add, is_cut);
+  const bool may_be_short =
+    is_cut || (merges && value_of(fine, "duration") >=
+                           least_merged_duration(scene, layout.distance));
+  add("duration", "s", answer->duration, may_add, may_be_short);
   add("arrival", "s", answer->arrival, false, merges);
-  add("lung_exposure", "-", answer->in_the_open.lung_exposure, true);
+  add("lung_exposure", "-", answer->in_the_open.lung_exposure, may_add);
   add("lung_lethality", "-", answer->in_the_open.lung_lethality, true);
   add("eardrum_rupture", "-", answer->in_the_open.eardrum_rupture, true);
   judge_probabilities(largest.differs, list);
@@ -378,7 +422,8 @@ compare_skin_with_tables(const SceneParameters &scene,
 
 
 std::string warning_of(const std::vector<ComparedQuantity> &compared,
-                       const Explosive &explosive)
+                       const Explosive &explosive,
+                       const bool has_open_reflection)
 {
   std::vector<std::string> parts;
   for (const ComparedQuantity &one : compared)
@@ -393,6 +438,9 @@ std::string warning_of(const std::vector<ComparedQuantity> &compared,
          ", run and tables of Kingery and Bulmash" +
          (equivalence.empty() ? "" : " (" + equivalence + ")") +
          " differ by more than what is known of their errors: " +
-         join(parts, "; ");
+         join(parts, "; ") +
+         (has_open_reflection
+            ? "; what open sides send back (reflection) may be the cause"
+            : "");
 }
 } // namespace contrecoup::coupling

@@ -30,7 +30,8 @@ struct ComparedQuantity
   /// Error of the tables with this TNT equivalence [-].
   double tables_error;
   /// Whether both differ by more than what is known of their errors, as that of
-  /// the peak for the load, in a direction that reflections cannot explain.
+  /// the peak for the load, in a direction that reflections cannot explain: by
+  /// ground, walls and body up to what these can add to the impulse.
   bool differs;
   std::string place = first_probe;
 };
@@ -85,6 +86,9 @@ compare_skin_with_tables(const SceneParameters &scene,
                          const std::vector<ChosenSide> &sides = {});
 
 /// A warning that names what differs; empty if nothing does.
+/// @param has_open_reflection whether open sides send some of the wave back to
+/// the place before the end
 std::string warning_of(const std::vector<ComparedQuantity> &compared,
-                       const Explosive &explosive);
+                       const Explosive &explosive,
+                       bool has_open_reflection = false);
 } // namespace contrecoup::coupling
