@@ -140,6 +140,18 @@ TEST(CostForecast, RefinesLayersOfAnAdaptiveMesh)
   EXPECT_DOUBLE_EQ(extrapolate_cells(100., 90., 3, 3, 1), 90.);
 }
 
+// Steps of a fine charge: 4440, 10864, and 182752 at 8 times as many cells.
+TEST(CostForecast, GrowsWithThePowerOfThreeTrials)
+{
+  const double power = agreed_power(1879., 4440., 10864., 1, 1);
+  EXPECT_NEAR(power, std::log2(4440. / 1879.), 1e-12);
+  EXPECT_NEAR(extrapolate(4440., 10864., 3, 0., power) / 182752., 1., 0.3);
+  EXPECT_DOUBLE_EQ(agreed_power(1., 8., 128., 2, 4), 1.);
+  EXPECT_DOUBLE_EQ(agreed_power(1., 8., 512., 2, 4), 1.5);
+  EXPECT_DOUBLE_EQ(agreed_power(2., 3., 100., 1, 1), 1.);
+  EXPECT_DOUBLE_EQ(agreed_power(0., 3., 100., 1, 1), 1.);
+}
+
 TEST(CostForecast, ApproachesALimit)
 {
   const auto steps = [](const double level) {
@@ -238,15 +250,22 @@ TEST(Plan, ReplacesEstimatesByMeasurements)
     begin + "measured at 2.5 m/s, allowed is at most 2 m/s" + end;
   EXPECT_EQ(plan_lines(plan).back(), "WARNING: " + planned);
   using Lines = std::vector<std::string>;
+  Assumption audited = item(3., false);
   const auto replaced = [&](const double measured, Lines warnings) {
-    replace_estimates(plan, {item(measured, false)}, warnings);
+    audited.value = measured;
+    replace_estimates(plan, {audited}, warnings);
     return warnings;
   };
   EXPECT_EQ(replaced(1., {"other", planned}), Lines{"other"});
   EXPECT_EQ(replaced(2.5, {planned, "other"}), (Lines{found, "other"}));
   EXPECT_EQ(replaced(2.5, {planned, found}), Lines{found});
-  for (const double unmeasured : {3., std::nan("")})
-    EXPECT_EQ(replaced(unmeasured, {planned}), Lines{planned});
+  // A measured figure may be that of the plan.
+  EXPECT_EQ(replaced(3., {planned}),
+            Lines{begin + "measured at 3 m/s, allowed is at most 2 m/s" + end});
+  EXPECT_EQ(replaced(std::nan(""), {planned}), Lines{planned});
+  audited.is_estimate = true;
+  EXPECT_EQ(replaced(3., {planned}), Lines{planned});
+  audited.is_estimate = false;
   // A stage of a scene, which shows little else, takes back what it warned of.
   {
     const LogPart part("blast");

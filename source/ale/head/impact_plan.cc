@@ -257,10 +257,10 @@ void ImpactPlan::add_file(std::vector<Assumption> &items) const
 
 std::vector<Assumption> ImpactPlan::audit(const ImpactResults &results) const
 {
-  std::vector<Assumption> items = plan();
+  std::vector<Assumption> items = unmeasured(plan());
   const auto liquids = tense_liquids(regions);
   for (std::size_t k = 0; k < liquids.size(); ++k)
-    items[k].value = results.least_pressures[liquids[k]];
+    items[k].measure(results.least_pressures[liquids[k]]);
   const double friction = has_friction()
                             ? 0. - results.friction_work
                             : usual_friction * results.sliding_work;
@@ -272,13 +272,14 @@ std::vector<Assumption> ImpactPlan::audit(const ImpactResults &results) const
   for (Assumption &item : items)
   {
     if (item.name == "contact")
-      item.value = is_followed ? std::max(0., contact.end) / end_time : unknown;
+      item.measure(is_followed ? std::max(0., contact.end) / end_time
+                               : unknown);
     if (item.name == "friction")
-      item.value = results.kinetic_energy > 0.
+      item.measure(results.kinetic_energy > 0.
                      ? friction / results.kinetic_energy
-                     : unknown;
+                     : unknown);
     if (item.name == "coupling")
-      item.value = std::abs(results.interface_work) / results.largest_energy;
+      item.measure(std::abs(results.interface_work) / results.largest_energy);
   }
   return items;
 }

@@ -165,7 +165,10 @@ std::vector<Assumption> ParticleSimulation::audit()
                          largest_.any,
                          time()});
   if (mesh_.head() != nullptr)
+  {
     items.push_back(layer_resolution());
+    items.back().is_estimate = true;
+  }
   const auto add = [&](const char *name,
                        const char *decision,
                        const std::string &quantity,

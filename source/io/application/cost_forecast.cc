@@ -70,9 +70,26 @@ namespace io
       return !trial.stages.empty() && !is_constant(trial.stages.back());
     }
 
+    /// Largest power of refinement with which steps of a stage of the last
+    /// trial grow.
+    double power_of_steps(const std::vector<Trial> &trials,
+                          const TrialStage &stage)
+    {
+      const std::size_t n = trials.size();
+      if (n < 3)
+        return 1.;
+      const Trial &first = trials[n - 3], &middle = trials[n - 2];
+      return agreed_power(stage_like(first, stage).steps,
+                          stage_like(middle, stage).steps,
+                          stage.steps,
+                          first.levels - middle.levels,
+                          middle.levels - trials.back().levels);
+    }
+
     /// The last two trials, and the solver's estimate of the scene's cells.
     struct Trials
     {
+      const std::vector<Trial> &all;
       const Trial &before, &last;
       double known;
       bool adapts; ///< whether the mesh of the last stage changes
@@ -144,7 +161,10 @@ namespace io
       return bytes_of_cells(trials, &Trial::volume_bytes, cells) +
              trials.last.plane_bytes +
              trials.grown(&Trial::surface_bytes, dimension - 1., dimension) +
-             trials.grown(&Trial::table_bytes, 0., 1.) +
+             trials.grown(
+               &Trial::table_bytes,
+               0.,
+               power_of_steps(trials.all, trials.last.stages.back())) +
              std::max(trials.before.other_bytes, trials.last.other_bytes);
     }
 
@@ -162,7 +182,12 @@ namespace io
         const double steps =
           earlier.largest_cells == stage.largest_cells
             ? extrapolate_to_limit(earlier.steps, stage.steps, n, gap)
-            : io::extrapolate(earlier.steps, stage.steps, n, low, 1., gap);
+            : io::extrapolate(earlier.steps,
+                              stage.steps,
+                              n,
+                              low,
+                              power_of_steps(trials.all, stage),
+                              gap);
         cells = trials.cells(stage, mean_cells(earlier), mean_cells(stage));
         result.cells = std::round(
           trials.cells(stage, earlier.largest_cells, stage.largest_cells));
@@ -215,7 +240,8 @@ namespace io
       Trial none;
       none.levels = trials.back().levels + 1;
       CostEstimate result =
-        extrapolate({trials.size() > 1 ? trials[trials.size() - 2] : none,
+        extrapolate({trials,
+                     trials.size() > 1 ? trials[trials.size() - 2] : none,
                      trials.back(),
                      known,
                      adapts,

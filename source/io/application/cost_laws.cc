@@ -52,6 +52,19 @@ namespace io
     return last + (last - before) * shrinkage / (1. - shrinkage) * rest;
   }
 
+  double agreed_power(const double first,
+                      const double middle,
+                      const double last,
+                      const unsigned int gap_before,
+                      const unsigned int gap)
+  {
+    if (!(first > 0.) || !(middle > 0.))
+      return 1.;
+    return std::max(1.,
+                    std::min(std::log2(middle / first) / gap_before,
+                             std::log2(last / middle) / gap));
+  }
+
   double grow_with_cells(const double cells_before,
                          const double before,
                          const double cells_last,

@@ -209,7 +209,8 @@ namespace io
       // What the run cannot measure has its estimate in the audit.
       if (found == nullptr || !std::isfinite(found->value) ||
           std::isnan(found->limit) ||
-          number(found->value, found->unit) == number(item.value, item.unit))
+          (found->is_estimate &&
+           number(found->value, found->unit) == number(item.value, item.unit)))
         continue;
       const std::string begin = LogWords::of(told(item, estimated));
       const auto old = std::find_if(

@@ -127,7 +127,7 @@ std::vector<Assumption> SolidSimulation<Real>::plan()
 template <typename Real>
 std::vector<Assumption> SolidSimulation<Real>::audit()
 {
-  std::vector<Assumption> items = plan();
+  std::vector<Assumption> items = unmeasured(plan());
   for (Assumption &item : items)
     if (item.name == strain_item(options_.kinematics).name)
       item = strain_item(options_.kinematics, peaks_.most_strained(body_));

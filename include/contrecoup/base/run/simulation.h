@@ -68,13 +68,29 @@ struct Assumption
   double limit = std::numeric_limits<double>::quiet_NaN();
   bool is_lower_limit = false; ///< otherwise an upper limit
   std::string entry;           ///< parameter entry that changes the decision
+  /// In an audit: the figure of the plan, as the run does not measure it.
+  bool is_estimate = false;
 
   /// Whether the figure is known and violates its limit.
   bool fails() const
   {
     return is_lower_limit ? value < limit : value > limit;
   }
+
+  void measure(const double figure)
+  {
+    value = figure;
+    is_estimate = false;
+  }
 };
+
+/// The items of a plan as those of an audit that has not measured them.
+inline std::vector<Assumption> unmeasured(std::vector<Assumption> plan)
+{
+  for (Assumption &item : plan)
+    item.is_estimate = true;
+  return plan;
+}
 
 /// Interface of a solver for the run loop: setup, advance, adapt, output, save
 /// and restore. Every function is collective.

@@ -43,6 +43,16 @@ namespace io
                               unsigned int levels,
                               unsigned int gap = 1);
 
+  /// Power of refinement with which a quantity grows in three trials, @p
+  /// gap_before and @p gap levels apart: the smaller of both rates, as the
+  /// first may be of a mesh that shows nothing yet, but at least 1. Steps grow
+  /// faster than by the CFL condition alone where finer cells have faster gas.
+  double agreed_power(double first,
+                      double middle,
+                      double last,
+                      unsigned int gap_before,
+                      unsigned int gap);
+
   /// A quantity of a mesh of @p cells, linear in the cells, from those of two
   /// trials; but it grows at least like the given power of the cells, because
   /// noise in short trials hides the part that grows.
