@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <sstream>
 
 namespace contrecoup::study
@@ -178,32 +179,39 @@ namespace
                 row.outcome.kind + ", " + one_line(row.outcome.reason) + "\n";
     return text;
   }
-  /// List of the warnings of the runs, each once, with the runs that have it.
+  /// List of the warnings of the runs, empty without any.
   std::string warnings_of(const StudyResult &result)
   {
     constexpr std::size_t most = 40;
-    std::vector<std::pair<std::string, std::vector<std::string>>> found;
+    WarningsByRun runs = {{reference_name, result.reference_warnings}};
     for (const ResultRow &row : result.rows)
-      for (const std::string &warning : row.record.warnings)
-      {
-        auto place =
-          std::find_if(found.begin(), found.end(), [&](const auto &one) {
-            return one.first == warning;
-          });
-        if (place == found.end())
-          place = found.insert(found.end(), {warning, {}});
-        place->second.push_back(join(row.variant.labels, ", "));
-      }
+      runs.emplace_back(join(row.variant.labels, ", "), row.record.warnings);
     std::string text;
-    for (std::size_t i = 0; i < std::min(most, found.size()); ++i)
-      text += "- " + join(found[i].second, "; ") + ": " +
-              one_line(found[i].first) + "\n";
-    if (found.size() > most)
-      text += "- " + std::to_string(found.size() - most) +
-              " more stand in log.txt of the runs\n";
+    for (const std::string &line : told_warnings(runs, most))
+      text += "- " + line + "\n";
     return text;
   }
 } // namespace
+
+std::vector<std::string> told_warnings(const WarningsByRun &runs,
+                                       const std::size_t most)
+{
+  std::vector<std::string> order;
+  std::map<std::string, std::vector<std::string>> found;
+  for (const auto &[run, warnings] : runs)
+    for (const std::string &warning : warnings)
+    {
+      if (found.count(warning) == 0)
+        order.push_back(warning);
+      found[warning].push_back(run);
+    }
+  std::vector<std::string> lines;
+  for (std::size_t i = 0; i < std::min(most, order.size()); ++i)
+    lines.push_back(join(found[order[i]], "; ") + ": " + one_line(order[i]));
+  if (order.size() > most)
+    lines.push_back("further warnings: " + std::to_string(order.size() - most));
+  return lines;
+}
 
 std::string to_csv(const StudyParameters &parameters, const StudyResult &result)
 {

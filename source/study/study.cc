@@ -112,6 +112,41 @@ namespace
                      " variants did not finish" + of_first};
   }
 
+  /// Warns of what the numbers of the table do not show.
+  void warn_of(const StudyResult &result)
+  {
+    for (const std::string &title : result.empty_columns())
+      log_line("WARNING: Study/Columns: no run has a value of \"" + title +
+               "\"");
+    const auto warn = [&](const bool reference,
+                          const std::size_t n,
+                          const std::string &of_one,
+                          const std::string &of_more,
+                          const std::string &what) {
+      std::vector<std::string> runs;
+      if (reference)
+        runs.emplace_back(reference_name);
+      if (n > 0)
+        runs.push_back(std::to_string(n) + " of " +
+                       std::to_string(result.rows.size()) + " runs");
+      if (!runs.empty())
+        log_line("WARNING: " + join(runs, " and ") +
+                 (reference + n == 1 ? of_one : of_more) + what);
+    };
+    warn(false,
+         result.n_cut_off(),
+         " ends",
+         " end",
+         " before a positive phase, a contact, a strain or a pressure does: "
+         "what study.md marks with ≥ or ≤ is a lower limit of its magnitude; a "
+         "later end time gives all of it");
+    warn(!result.reference_warnings.empty(),
+         result.n_warned(),
+         " has",
+         " have",
+         " warnings, which study.md lists");
+  }
+
   double seconds_since(const std::chrono::steady_clock::time_point begin)
   {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() -
@@ -240,7 +275,7 @@ std::string Study::path(const std::string &name) const
 std::string Study::task_label(const Task &task) const
 {
   const bool is_reference = has_reference_ && &task == &tasks_.front();
-  return is_reference ? "the reference run" : join(task.variant.labels, ", ");
+  return is_reference ? reference_name : join(task.variant.labels, ", ");
 }
 
 bool Study::has_outcomes() const
@@ -304,8 +339,8 @@ void Study::report(const Task &task)
   Log::instance().status(line);
   const bool is_reference = has_reference_ && &task == &tasks_.front();
   if (is_reference && !outcome.is_usable())
-    throw NumericsError("the reference run is " + outcome.kind + ": " +
-                        outcome.reason);
+    throw NumericsError(std::string(reference_name) + " is " + outcome.kind +
+                        ": " + outcome.reason);
   // The first results also reveal a misspelt quantity.
   if (outcome.is_usable() && ++n_usable_ < 3)
     write_results("running", passed);
@@ -339,26 +374,7 @@ void Study::write_results(const std::string &status, const double seconds)
   write_outputs();
   const StudyResult result = evaluate(parameters_, variants);
   if (status == "finished")
-    for (const std::string &title : result.empty_columns())
-      log_line("WARNING: Study/Columns: no run has a value of \"" + title +
-               "\"");
-  const auto warn_of = [&](const std::size_t n,
-                           const std::string &of_one,
-                           const std::string &of_more,
-                           const std::string &what) {
-    if (status == "finished" && n > 0)
-      log_line("WARNING: " + std::to_string(n) + " of " +
-               std::to_string(result.rows.size()) + " runs " +
-               (n == 1 ? of_one : of_more) + what);
-  };
-  warn_of(
-    result.n_cut_off(),
-    "ends",
-    "end",
-    " before a positive phase, a contact, a strain or a pressure does: "
-    "what study.md marks with ≥ or ≤ is a lower limit of its magnitude; a "
-    "later end time gives all of it");
-  warn_of(result.n_warned(), "has", "have", " warnings, which study.md lists");
+    warn_of(result);
   write_text(path("study.csv"), to_csv(parameters_, result));
   write_text(path("study.md"), to_markdown(parameters_, result));
   write_text(path(marker), to_json(parameters_, result));

@@ -5,6 +5,7 @@
 #include <contrecoup/base/system/log.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/io/run/plan_table.h>
+#include <contrecoup/study/report.h>
 #include <contrecoup/study/study.h>
 #include <contrecoup/study/study_result.h>
 
@@ -18,6 +19,8 @@ namespace
 {
   /// Refused variants that are named on the screen.
   constexpr std::size_t most_refusals = 5;
+  /// Warnings of the runs' plans that are shown.
+  constexpr std::size_t most_warnings = 5;
 
   /// Whether trial runs, and with them forecasts, are wanted.
   bool wants_forecasts()
@@ -174,6 +177,11 @@ void Study::check() const
     }
   for (const std::string &warning : place_rows(parameters_.factors, sizes))
     show_line(warning);
+  WarningsByRun warnings;
+  for (std::size_t i = 0; i < forecasts.size(); ++i)
+    warnings.emplace_back(task_label(tasks_[i]), forecasts[i].warnings);
+  for (const std::string &warning : told_warnings(warnings, most_warnings))
+    show_line("WARNING: " + warning);
   if (n_asked == tasks_.size())
     print_costs(forecasts);
   else

@@ -332,6 +332,9 @@ StudyResult evaluate(const StudyParameters &parameters,
   }
   find_front(parameters.error.required_error(), result);
   read_columns(parameters, result);
+  if (!parameters.error.reference_folder().empty())
+    result.reference_warnings =
+      read_record(parameters.error.reference_folder()).warnings;
   return result;
 }
 } // namespace contrecoup::study

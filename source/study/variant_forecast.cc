@@ -70,11 +70,16 @@ namespace
   {
     const std::string path = running.folder->path();
     VariantForecast &forecast = *running.forecast;
+    const std::string mark = "WARNING: ";
     // What one variant switches off another one needs.
     std::istringstream lines(io::read_file(path + "/output.txt"));
     for (std::string line; std::getline(lines, line);)
       if (line.find(" set but not used: ") == std::string::npos)
+      {
         forecast.text += line + "\n";
+        if (begins_with(line, mark))
+          forecast.warnings.push_back(line.substr(mark.size()));
+      }
     if (end.exit_code != 0 || end.signal != 0)
       forecast.refusal = application.refusal(
         {end, "", last_line(io::read_file(path + "/errors.txt"))});

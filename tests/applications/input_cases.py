@@ -693,6 +693,18 @@ def refused_studies():
                reason)
 
 
+def warned_studies():
+    """A study whose runs warn, that of the reference first."""
+    yield ("warnings of the runs of a study", "study",
+           shipped("study/quickstart.prm",
+                   entry("Study/Parameter file",
+                         "@FILES@/blast/verification/kingery_bulmash.prm"),
+                   entry("Error/Kind", "reference run"),
+                   entry("Error/Reference", "Domain/Coarse leaves=100"),
+                   entry("Error/Name", "results.probe_1_impulse")),
+           "WARNING: the reference run: air: excess pressure")
+
+
 def refused_heads():
     """Scenes of head_impact that contradict themselves or select nothing."""
     return head_cases.refused(shipped, entry)
@@ -895,6 +907,7 @@ def main(programs, repository):
                               (accepted, judge_acceptance),
                               (unused, judge_acceptance),
                               (near_sides, judge_acceptance),
+                              (warned_studies, judge_acceptance),
                               (thin_layers, judge_acceptance),
                               (without_brain, judge_acceptance),
                               (other_masses, judge_acceptance),

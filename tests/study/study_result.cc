@@ -144,6 +144,28 @@ TEST_F(FinishedStudy, ListsWarningsOfRuns)
                       ": long\n"),
             std::string::npos)
     << text;
+  EXPECT_EQ(
+    told_warnings({{"a", {"x", "y"}}, {"b", {"y", "z"}}}, 2),
+    (std::vector<std::string>{"a: x", "a; b: y", "further warnings: 1"}));
+}
+
+// All errors are taken from the reference run.
+TEST_F(FinishedStudy, ListsWarningsOfTheReference)
+{
+  const std::string folder = folder_.path() + "/reference";
+  read({"Error/Kind=reference run",
+        "Error/Reference folder=" + folder,
+        "Error/Name=value"});
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder + "/summary.json")
+    << R"({"value": 7.0, "warnings": ["long"]})";
+  StudyResult result = evaluate(parameters_, tasks_);
+  EXPECT_EQ(result.n_warned(), 0u);
+  result.rows[0].record.warnings = {"long"};
+  EXPECT_NE(to_markdown(parameters_, result)
+              .find("\nWarnings of the runs:\n\n- the reference run; first, 1: "
+                    "long\n"),
+            std::string::npos);
 }
 
 TEST_F(FinishedStudy, ExtrapolatesWithinEachSeries)

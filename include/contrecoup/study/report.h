@@ -5,8 +5,21 @@
 
 #include <contrecoup/study/study_result.h>
 
+#include <string>
+#include <utility>
+#include <vector>
+
 namespace contrecoup::study
 {
+/// Warnings by the run that has them.
+using WarningsByRun =
+  std::vector<std::pair<std::string, std::vector<std::string>>>;
+
+/// "RUN; RUN: WARNING", each warning once.
+/// @param most number of lines, of which the last one counts the others
+std::vector<std::string> told_warnings(const WarningsByRun &runs,
+                                       std::size_t most);
+
 /// The results as CSV, one row per variant.
 std::string to_csv(const StudyParameters &parameters,
                    const StudyResult &result);

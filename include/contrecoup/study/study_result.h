@@ -9,6 +9,9 @@
 
 namespace contrecoup::study
 {
+/// What messages call the run that errors are taken from.
+constexpr const char *reference_name = "the reference run";
+
 /// A row of the study's table.
 struct ResultRow
 {
@@ -41,12 +44,14 @@ struct StudyResult
   std::vector<Column> columns;      ///< further columns
   /// ResultRow::columns of the reference run; empty without one.
   std::vector<double> reference_columns;
+  /// Of the run that errors are taken from; empty without one.
+  std::vector<std::string> reference_warnings;
 
   /// Number of runs that did not finish.
   std::size_t n_unfinished() const;
   /// Number of runs of which a column is a lower limit.
   std::size_t n_cut_off() const;
-  /// Number of runs with warnings.
+  /// Number of runs with warnings, without the reference run.
   std::size_t n_warned() const;
   /// Titles of further columns that no run has.
   std::vector<std::string> empty_columns() const;

@@ -14,8 +14,9 @@ namespace contrecoup::study
 /// What --check says of a variant.
 struct VariantForecast
 {
-  std::string refusal; ///< one line; empty: accepted
-  std::string text;    ///< output of --check
+  std::string refusal;               ///< one line; empty: accepted
+  std::string text;                  ///< output of --check
+  std::vector<std::string> warnings; ///< in this output
   io::CheckReport report;
 };
 
