@@ -243,7 +243,7 @@ namespace
                                           const SceneLayout &layout,
                                           const std::string &folder)
   {
-    std::vector<Assumption> items = items_of_charge(scene, layout);
+    std::vector<Assumption> items = unmeasured(items_of_charge(scene, layout));
     for (Assumption &item : items)
       if (item.name == "resolution")
       {
@@ -257,8 +257,8 @@ namespace
           item.quantity += ", not measured, since " + gap;
       }
       else if (item.name == "skin")
-        item.value = stage_check(folder + "/blast", "loads_skin_area") /
-                     skin_area(folder + "/anatomy");
+        item.measure(stage_check(folder + "/blast", "loads_skin_area") /
+                     skin_area(folder + "/anatomy"));
       else if ((item.name.rfind("afterburn_", 0) == 0 &&
                 scene.afterburn > 0.) ||
                item.name.rfind("model_bias_", 0) == 0)
@@ -318,16 +318,16 @@ namespace
     const std::vector<Assumption> found =
       task_items(folder, "biomechanics", "measured");
     std::vector<Assumption> items;
-    for (Assumption item : plan)
+    for (Assumption item : unmeasured(plan))
     {
       if (item.name == "rigid_body")
-        item.value = motion.displacement / layout.shortest_side();
+        item.measure(motion.displacement / layout.shortest_side());
       else if (const Assumption *own = io::find_assumption(found, item.name))
         item = *own;
       else if (item.name == "lung")
         item = lung(scene, largest_trunk_peak(folder + "/blast"));
       else if (item.name == "gravity_of_body")
-        item.value = gravity * scene.end_time / motion.speed;
+        item.measure(gravity * scene.end_time / motion.speed);
       else if (item.name != "ground_of_body" && item.name != "strain")
         continue;
       items.push_back(item);
