@@ -85,8 +85,12 @@ TEST(Person, HasTheAzimuthOfTheChargeFromTheFrontToTheLeft)
 {
   const Person turned = person_by({"Rotation=0, 0, -30"});
   EXPECT_NEAR(turned.charge_azimuth(), 30., 1e-6);
-  const Person above = person_by({}, Point<3>(2., 0., 1.8 + 2.));
-  EXPECT_NEAR(above.charge_elevation(), 45., 1e-6);
+  // From the middle of the body, 0.9 m above the ground.
+  for (const double height : {0.05, 0.9, 1.4, 3.8})
+    EXPECT_NEAR(person_by({}, Point<3>(2., 0., height)).charge_elevation(),
+                std::atan2(height - 0.9, 2.) * 180. / dealii::numbers::PI,
+                1e-6)
+      << height;
 }
 
 

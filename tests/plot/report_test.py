@@ -440,6 +440,26 @@ class ReportTest(unittest.TestCase):
         self.assertEqual(error_estimate.of_skin(scene, "peak"),
                          (None, peak, None))
 
+    def test_direction_of_the_charge(self):
+        """In words, where it is not straight ahead."""
+        scene = Scene(self.whole)
+        for side, azimuth, elevation, words in (
+                ("front", 27.7, 16.1, ", 28 degrees to the left of where the "
+                 "person faces, 16 degrees above the middle of the body"),
+                ("right side", -91.4, -0.8, ", 91 degrees to the right of "
+                 "where the person faces, 1 degree below the middle of the "
+                 "body"),
+                ("head", 30., 80., ", 80 degrees above the middle of the body"),
+                ("front", 0.2, 0.4, ""), ("back", -180., 0., "")):
+            scene.facts["person"].update(
+                side_to_charge=side, charge_azimuth=azimuth,
+                charge_elevation=elevation)
+            self.assertIn(
+                f">{person.place_of_charge(scene)} the person{words}<",
+                str(scene_sections.facts(scene)))
+            self.assertEqual("of where the person faces." in
+                             headline._opening(scene), "faces" in words)
+
     def test_name_of_an_explosive(self):
         """As scene.json has it for texts, else for entries."""
         scene = Scene(self.whole)

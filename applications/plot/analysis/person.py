@@ -81,6 +81,34 @@ def place_of_charge(scene):
     return WHERE.get(side_to_charge(scene), "from")
 
 
+def azimuth_of_charge(scene):
+    """The direction of the charge in words, "28 degrees to the left of where
+    the person faces"; "" where it is straight ahead, straight behind or, so
+    that such an angle says nothing, along the body's long axis."""
+    angle = _angle(scene, "azimuth")
+    if side_to_charge(scene) in ("head", "feet") or angle % 180 == 0:
+        return ""
+    return (f"{_degrees(angle)} to the {'left' if angle > 0 else 'right'} of "
+            "where the person faces")
+
+
+def elevation_of_charge(scene):
+    """The same of its height; "" where it is level with the middle of the
+    body."""
+    angle = _angle(scene, "elevation")
+    return (f"{_degrees(angle)} {'above' if angle > 0 else 'below'} the middle "
+            "of the body") if angle else ""
+
+
+def _angle(scene, name):
+    known = scene.facts.get("person") or {}
+    return round(files.as_number(known.get("charge_" + name)) or 0.)
+
+
+def _degrees(angle):
+    return f"{abs(angle)} degree" + "s" * (abs(angle) != 1)
+
+
 def side_to_charge(scene):
     """The side of the person that is turned to the charge; None of a body
     without sides of its own."""

@@ -153,6 +153,8 @@ def _opening(scene):
     distance, height = scene.fact("distance"), scene.fact("height")
     where = body if distance is None else \
         f"{page.given(distance, 'm')} {body}"
+    azimuth = person.azimuth_of_charge(scene)
+    where += f", {azimuth}" if azimuth else ""
     if height is None and place is not None:
         height = float(place[2])
     if height is not None:

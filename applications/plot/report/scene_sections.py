@@ -48,8 +48,10 @@ def facts(scene):
     add("person" if person.is_person(scene) else "size of the body",
         person.words(scene))
     if person.place_of_charge(scene) != "from":
-        add("side of the charge", person.place_of_charge(scene)
-            + " the person")
+        add("side of the charge", ", ".join(filter(None, (
+            person.place_of_charge(scene) + " the person",
+            person.azimuth_of_charge(scene),
+            person.elevation_of_charge(scene)))))
     for name, unit in (("Rotation", "degrees about x, y, z"), ("Shift", "m")):
         value = scene.parameters.get(f"Body/{name}")
         if value and np.any(files.points_of(value)):

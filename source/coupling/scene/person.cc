@@ -115,8 +115,9 @@ Person::Person(dealii::ParameterHandler &prm,
                        : top - bottom;
   const Tensor<1, 3> height = charge - Point<3>(),
                      from_middle = charge - surface->bounding_box().center();
-  to_charge_ = from_middle - (from_middle * up) * up +
-               (height * up - std::clamp(height * up, bottom, top)) * up;
+  to_charge_ =
+    from_middle + ((height - from_middle) * up - 0.5 * (top + bottom)) * up;
+  beyond_ = height * up - std::clamp(height * up, bottom, top);
   if (kind_ == "phantom")
   {
     length_ = read_double(prm, "Scale");
@@ -181,9 +182,11 @@ std::string Person::side_to_charge() const
   constexpr double steep = 60., oblique = 45., behind = 135.; // [degrees]
   if (!axes_)
     return "";
-  const double elevation = charge_elevation(), azimuth = charge_azimuth();
-  if (std::abs(elevation) > steep)
-    return elevation > 0. ? "head" : "feet";
+  const double azimuth = charge_azimuth();
+  const double beside =
+    (to_charge_ - (to_charge_ * axes_->up) * axes_->up).norm();
+  if (std::abs(beyond_) > std::tan(steep * degree) * beside)
+    return beyond_ > 0. ? "head" : "feet";
   if (std::abs(azimuth) <= oblique)
     return "front";
   if (std::abs(azimuth) >= behind)

@@ -62,7 +62,7 @@ public:
   double charge_azimuth() const;
 
   /// Direction of the charge above the plane that is normal to that axis, from
-  /// the nearest height between soles and vertex [degrees]; NaN without axes.
+  /// the middle between soles and vertex [degrees]; NaN without axes.
   double charge_elevation() const;
 
   /// Stature of the phantom, else extent of the body along the upright axis;
@@ -81,9 +81,9 @@ private:
   std::string kind_;
   std::optional<PersonAxes> axes_;
   bool is_seated_ = false;
-  /// From the nearest place between soles and vertex on the upright axis
-  /// through the middle of the body [m].
-  dealii::Tensor<1, 3> to_charge_;
+  dealii::Tensor<1, 3> to_charge_; ///< from the middle of the body [m]
+  double
+    beyond_; ///< of the charge above the vertex, or below the soles < 0 [m]
   double length_;
   double mass_;
 };
