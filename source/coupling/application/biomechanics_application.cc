@@ -79,6 +79,15 @@ namespace
     return changed;
   }
 
+  bool strikes_ground(const ParameterHandler &prm)
+  {
+    const auto moves = [&](const std::string &direction) {
+      return prm.get({"Initial state"}, "Velocity " + direction) != "0";
+    };
+    return prm.get_bool({"Ground"}, "Active") &&
+           (moves("x") || moves("y") || moves("z"));
+  }
+
   /// Layers of a body that are thinner than its elements.
   std::vector<std::string> find_thin_layers(ParameterHandler &prm)
   {
@@ -145,6 +154,7 @@ io::ApplicationDescription biomechanics_application()
     {},
     files};
   application.keeps_first_step = true;
+  application.strikes = strikes_ground;
   application.oversights = find_thin_layers;
   application.tables = tables;
   return application;

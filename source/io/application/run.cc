@@ -104,6 +104,22 @@ namespace io
       cost.seconds *= cost.steps > 0. ? steps / cost.steps : 1.;
       cost.steps = steps;
     }
+
+    /// Why steps are not known without the run itself; empty: they are.
+    std::string gap_of_steps(const ApplicationDescription &description,
+                             const dealii::ParameterHandler &prm,
+                             const TriedCost &cost)
+    {
+      // Finer elements deform more, and need still more steps.
+      constexpr double largest_growth = 1.03;
+      if (description.keeps_first_step && cost.step_growth > largest_growth)
+        return "as it deforms, the coarser body of the trial runs needs " +
+               brief(cost.step_growth, 3) + " times as many steps as at rest";
+      if (description.strikes && description.strikes(prm))
+        return "how much the body deforms when it strikes the ground, coarser "
+               "trial runs do not show";
+      return "";
+    }
   } // namespace
 
   void Run::check()
@@ -118,11 +134,9 @@ namespace io
       if (!description_.adapts && simulation_.size().first > 0)
         known = simulation_.estimate();
     });
-    // Finer elements deform more, and need still more steps.
-    constexpr double largest_growth = 1.03;
-    const bool deforms = description_.keeps_first_step && !cost.is_exact &&
-                         cost.step_growth > largest_growth;
-    if (deforms)
+    const std::string gap =
+      cost.is_exact ? "" : gap_of_steps(description_, prm_, cost);
+    if (!gap.empty())
       cost.steps = cost.seconds = 0.;
     else if (!cost.is_exact)
       correct_steps(known.steps, rough.steps, time_, cost);
@@ -137,10 +151,8 @@ namespace io
       brief(time_.end_time, 6) + " s, with output in " + folder_.path() + ":");
     for (const std::string &line : cost_lines({{description_.name, cost}}))
       show_line(line);
-    if (deforms)
-      show_line("  steps and wall time are unknown: as it deforms, the coarser "
-                "body of the trial runs needs " +
-                brief(cost.step_growth, 3) + " times as many steps as at rest");
+    if (!gap.empty())
+      show_line("  steps and wall time are unknown: " + gap);
     complete_plan();
     // Of a part of a scene, which has a plan of its own, warnings are shown.
     for (const std::string &line : plan_lines(plan_))

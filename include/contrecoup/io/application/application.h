@@ -62,6 +62,10 @@ namespace io
     /// Whether all steps are like the first one, unless the body deforms.
     bool keeps_first_step = false;
 
+    /// Whether the body strikes something, which coarse trials do not show as
+    /// it is. Empty: never.
+    std::function<bool(const dealii::ParameterHandler &)> strikes = {};
+
     /// Whether the mesh changes during the run. Empty: never.
     std::function<bool(const dealii::ParameterHandler &)> adapts = {};
 
