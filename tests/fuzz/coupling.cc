@@ -50,7 +50,7 @@ void prepare_summary(const std::string &folder)
 
 void read_summary(const std::string &path)
 {
-  coupling::task_plan(std::filesystem::path(folder_of(path)).parent_path());
+  coupling::blast_plan(std::filesystem::path(folder_of(path)).parent_path());
 }
 
 
