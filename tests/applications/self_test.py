@@ -478,7 +478,8 @@ class NumbersTest(SelfTest):
                              ("plan", "plan: "), ("answer", "headline.txt"),
                              ("stage", "anatomy: the report shows '2.26 GiB'"),
                              ("table", "impulse"), ("history", "end of blast"),
-                             ("report", "2.278")]:
+                             ("report", "2.278"),
+                             ("silent", "in warnings")]:
             self.rejects(reason, "one_number", flaw=flaw)
 
 

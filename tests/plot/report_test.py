@@ -1883,6 +1883,24 @@ class ReportTest(unittest.TestCase):
             for text in words(*load, *tables):
                 self.assertNotIn("tables", text)
 
+    def test_lungs_beside_the_tables_at_the_trunk(self):
+        """Where the trunk is farther off than the nearest skin, the first screen
+        has the load on its skin with its error, and both of the tables."""
+        scene = Scene(self.whole)
+        effect = tiny_scene.EFFECT
+        scene.facts["tables"]["trunk"] = {
+            "distance": 3., "in_the_open": effect,
+            "before_a_wall": {**effect, "lung_exposure": 0.9}}
+        with unittest.mock.patch.object(injury_table, "is_trunk_far",
+                                        lambda _: True):
+            judged = injury_table.judge(scene)
+            rows = {row[0]: row[1:] for row in headline._compared(scene, judged)}
+        load = next(entry for entry in judged
+                    if entry.name.startswith("lung_exposure"))
+        run, tables = rows["load over the 50\u00a0% lethality load at the trunk"]
+        self.assertEqual(run, f"{load.shown()} {html_page.error(load.error)}")
+        self.assertEqual(tables, "0.410 (0.900 before a wall)")
+
     def test_curves_of_head_injury_keep_their_order(self):
         """AIS 3 or worse includes AIS 4, where the fits cross, too."""
         chances = [injury_thresholds.probability(f"hic15_ais{level}", 8246.)

@@ -43,7 +43,7 @@ class Lead:
         self.opening = _opening(scene)
         self.reservations = _certainty(scene, judged)
         self.warnings = scene.warnings()
-        self.compared, self.gauge = _compared(scene), _gauge(scene)
+        self.compared, self.gauge = _compared(scene, judged), _gauge(scene)
         self.has_probe = bool(scene.list_of("table_comparison")) \
             and not self.gauge
         self.charge = f"a bare charge {reflections.place_of_burst(scene)}" \
@@ -178,7 +178,7 @@ def _equivalence(scene):
             + ("" if known.get("is_published") else ", not measured") + ")")
 
 
-def _compared(scene):
+def _compared(scene, judged=()):
     """Rows of this run beside the tables; of the tables alone where this run has
     neither a probe as far from the charge as the body nor a gauge there."""
     rows, compared = [], scene.list_of("table_comparison")
@@ -186,6 +186,10 @@ def _compared(scene):
     least = least_phases.at_probe(scene)
     for row in _rows(scene):
         name, unit = str(row.get("name")), row.get("unit") or "-"
+        if row.get("place") == "trunk" and name == "lung_exposure":
+            load = injury_table.find(judged, injury_table.SKIN_NAMES[
+                name, injury_table.loaded_side(scene)])
+            row = {**row, "run_error": load and load.error}
         is_chance = name in CHANCES
         cells = [_with_error(row.get(key), unit, is_chance,
                              row.get(f"{key}_error"))

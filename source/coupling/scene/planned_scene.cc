@@ -299,7 +299,10 @@ std::string PlannedScene::answer_at_trunk() const
   return answer ? where + "loads the lung with " +
                     brief(answer->in_the_open.lung_exposure, 2) +
                     " of what kills half, death by lung injury: " +
-                    percent(answer->in_the_open.lung_lethality)
+                    percent(answer->in_the_open.lung_lethality) +
+                    "; before a wall " +
+                    brief(answer->before_a_wall.lung_exposure, 2) + ", " +
+                    percent(answer->before_a_wall.lung_lethality)
                 : where + "is not in the tables";
 }
 

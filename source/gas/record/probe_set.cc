@@ -299,7 +299,11 @@ ProbeSet<dim>::report(const GasSnapshot<dim> &gas) const
 template <int dim>
 std::vector<std::string> ProbeSet<dim>::gaps(const double time) const
 {
-  RecordGaps gaps(time, "probes");
+  RecordGaps gaps(time,
+                  "probes",
+                  probes_.exposure() == Exposure::none
+                    ? ""
+                    : ", and injuries of lungs unknown");
   const auto found = blasts();
   for (std::size_t i = 0; i < found.size(); ++i)
     gaps.add(place_of(i), found[i]);

@@ -42,13 +42,13 @@ namespace
                  std::vector<InjuryMeasure> &list)
   {
     const double volume = sums[0];
-    for (const auto &[name, sum] :
-         {std::pair{"injury_cavitating_fraction", sums[3]},
-          {"injury_cavitation_dose", sums[4]}})
-    {
-      list.push_back(known_measure(name, sum / volume));
-      list.back().is_cut = tension_grows || sums[8] > 0.;
-    }
+    const bool is_tense = tension_grows || sums[8] > 0.;
+    list.push_back(
+      known_measure("injury_cavitating_fraction", sums[3] / volume));
+    // All of the brain cannot become more.
+    list.back().is_cut = is_tense && sums[3] < volume;
+    list.push_back(known_measure("injury_cavitation_dose", sums[4] / volume));
+    list.back().is_cut = is_tense;
     if (sums[6] > 0.)
       list.push_back(known_measure("injury_pressure_roughness",
                                    std::sqrt(sums[5] / sums[6])));

@@ -102,7 +102,9 @@ def check_estimate(text, files):
     if trunk is not None:
         wanted += [(r"trunk is (\S+ m) from", trunk["distance"]),
                    (r"there loads the lung with (\S+) of",
-                    trunk["in_the_open"]["lung_exposure"])]
+                    trunk["in_the_open"]["lung_exposure"]),
+                   (r"; before a wall (\S+), ",
+                    trunk["before_a_wall"]["lung_exposure"])]
     for pattern, value in wanted:
         require_same(re.search(pattern, text)[1], value, pattern)
     require(facts["person"]["description"] in text, f"another person: {text}")

@@ -554,7 +554,7 @@ def _without_chances(text, chances, rows, files):
     """The answer without its probabilities and their bounds, which are those of
     the table."""
     count = 0
-    shown = re.compile(r"((?:less than |more than )?[\d.]+ %)"
+    shown = re.compile(r"((?:less than |more than )?[\d.]+ %)(?: by this run)?"
                        r"(?:, by the numerics ([^);,]*%))?(?=[);, ])"
                        "(?! lethality load)")
     sentence, _, rest = text.partition("\n")

@@ -37,6 +37,7 @@ the front reaches the body at 1.8 ms with 314 kPa
 stage biomechanics took 1 min 15 s
   gravity  left out  its speed  0.00029  0.00033  at most 0.05  Scene/End time
 """
+WARNING = "run and tables of Kingery and Bulmash differ by more than their errors"
 PLAN = [{"item": f"item_{number}", "decision": "left out",
          "estimate": f"0.{number}", "limit": "at most 0.9",
          "entry": "Scene/End time"} for number in range(1, 9)]
@@ -75,7 +76,7 @@ def draw(folder):
             f"loads_{place} {name.split(' [')[0]}".replace(" ", "_"):
             float(value) for name, value in row.items()})
     results["probe_1_reference_arrival"] = 1.8e-3
-    change("scene.json", ({"plan": PLAN},), ("tables", "answer", {
+    change("scene.json", ({"plan": PLAN, "warnings": [WARNING]},), ("tables", "answer", {
         "impulse": 221.7, "arrival": 1.8e-3, "duration": 2.38e-3}))
     change("blast/summary.json", ({"time": end},),
            ("conservation", {"mass_last": 146., "mass_relative_change":
@@ -131,7 +132,7 @@ def main(output, flaw):
         spoil(os.path.join(output, "blast", "history.csv"), ",0.006,", ",0.0061,")
     if flaw == "report":
         spoil(os.path.join(output, "report.html"), "2.268", "2.278")
-    tell(HEAD)
+    tell(HEAD + ("" if flaw == "silent" else f"WARNING: {WARNING}\n"))
     tell("".join(f"stage {stage} took 1 min 15 s, 2.25 GiB of memory, 5.5 MiB on "
                  "disk\n" for stage in ("anatomy", "blast")), flaw)
     with open(os.path.join(output, "headline.txt"), encoding="utf-8") as file:
