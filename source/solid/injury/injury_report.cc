@@ -303,12 +303,15 @@ InjuryReport<Real>::measures(const SolidBody<Real> &body) const
   std::vector<InjuryMeasure> list;
   add_brain(body, list);
   add_head(body, list);
-  if (body.loads().n_loaded_facets(body.communicator()) > 0)
+  const bool is_loaded = body.loads().n_loaded_facets(body.communicator()) > 0;
+  if (is_loaded)
     mark_lower_limits(body.time(), list);
   if (has(Tissue::lung, body.mesh()))
     for (const InjuryMeasure &measure : chest_.measures())
       list.push_back(measure);
   apply(own_, list);
+  if (!is_loaded)
+    limit_to_impact(list);
   return list;
 }
 
