@@ -1883,6 +1883,19 @@ class ReportTest(unittest.TestCase):
             for text in words(*load, *tables):
                 self.assertNotIn("tables", text)
 
+    def test_lungs_of_a_phase_that_is_cut(self):
+        """Are sound so far where life is not judged."""
+        for life, words, kind in ((verdict.UNJUDGED, "no lung injury so far",
+                                   "none"), ("survives", "no lung injury", "good")):
+            told = {"_life": verdict.Verdict("life", life, "none"),
+                    "_ears": None, "_held": None, "_brain": None,
+                    "_by_tables": verdict.Verdict("lungs", verdict.SOUND, "good")}
+            with unittest.mock.patch.multiple(verdict, **{
+                    name: lambda *_, one=one: one
+                    for name, one in told.items()}):
+                lungs = verdict.verdicts(None, [])[1]
+            self.assertEqual((lungs.words, lungs.kind), (words, kind))
+
     def test_lungs_beside_the_tables_at_the_trunk(self):
         """Where the trunk is farther off than the nearest skin, the first screen
         has the load on its skin with its error, and both of the tables."""

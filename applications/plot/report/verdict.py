@@ -13,7 +13,7 @@ EARS = ((0.05, "stay intact"), (0.5, "may rupture"),
         (0.95, "probably rupture"), (2., "almost certainly rupture"))
 NO_LEVEL = "none"
 SOUND, POSSIBLE = "no lung injury", "lung injury possible"
-SEVERE = "severe"
+SEVERE, UNJUDGED = "severe", "survival not judged"
 UNSURE = "uncertain by the numerics"
 CUT = "the run ends too early"
 
@@ -53,8 +53,11 @@ def with_detail(words, detail):
 
 def verdicts(scene, judged):
     """All that the scene allows, in the order of the sentence."""
-    return [found for found in (_life(scene, judged), _ears(judged),
-                                _by_tables(scene, judged, _lungs(judged)),
+    life = _life(scene, judged)
+    lungs = _by_tables(scene, judged, _lungs(judged))
+    if life and lungs and life.words == UNJUDGED and lungs.words == SOUND:
+        lungs.words, lungs.kind = SOUND + " so far", "none"
+    return [found for found in (life, _ears(judged), lungs,
                                 _held(scene) or _brain(judged)) if found]
 
 
@@ -145,7 +148,7 @@ def _cut_off(scene):
 def _not_judged(scene):
     """The verdict on life where the end of the run cuts the load off."""
     known = _death_by_tables(scene)
-    return Verdict("life", "survival not judged", "none",
+    return Verdict("life", UNJUDGED, "none",
                    "the run ends before the positive phase does"
                    + (known and f"; death by lung injury by the tables: {known}"))
 
