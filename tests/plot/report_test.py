@@ -1116,13 +1116,17 @@ class ReportTest(unittest.TestCase):
                              not is_late and not is_hidden)
 
     def test_names_of_close_moments(self):
-        """The letters of dotted lines stand beside each other."""
+        """The letters of dotted lines stand in one bracket at their first one,
+        no letter at the line of another one."""
         style.set_up()
         figure = scene_sections._draw_timeline(
             [scene_sections.Event("air", "front", time)
              for time in (0., 5e-6, 6e-6, 5e-3)]
             + [scene_sections.Event("skin", "chest", 4e-3, 9.5e-3)])
         self.assertEqual(labels.faults(figure), [])
+        self.assertEqual([(text.get_text(), text.xy[0])
+                          for text in figure.axes[0].texts],
+                         [("(a, b, c)", 0.), ("(d)", 5.)])
         style.plt.close(figure)
 
     def test_bars_of_low_pictures(self):

@@ -204,8 +204,10 @@ TEST(InjuryReport, HasLowerLimitsOfShortRunsUnderLoadsAlone)
     for (const solid::InjuryMeasure &measure : head.report.measures(head.body))
     {
       if (measure.value.name == "injury_hic15")
+      {
         EXPECT_EQ(measure.limits.find("blast") == std::string::npos,
                   !is_loaded);
+      }
       for (const char *name : {"injury_strain_95",
                                "injury_csdm_15",
                                "injury_hic15",

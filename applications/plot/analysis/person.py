@@ -83,10 +83,10 @@ def place_of_charge(scene):
 
 def azimuth_of_charge(scene):
     """The direction of the charge in words, "28 degrees to the left of where
-    the person faces"; "" where it is straight ahead, straight behind or, so
+    the person faces"; "" where it is straight ahead, behind or to a side or, so
     that such an angle says nothing, along the body's long axis."""
     angle = _angle(scene, "azimuth")
-    if side_to_charge(scene) in ("head", "feet") or angle % 180 == 0:
+    if side_to_charge(scene) in ("head", "feet") or angle % 90 == 0:
         return ""
     return (f"{_degrees(angle)} to the {'left' if angle > 0 else 'right'} of "
             "where the person faces")

@@ -391,7 +391,11 @@ def _tables(scene, judged):
                                f"this run has {page.chance(here)}")
         else:
             change = here / known - 1.
-            differing.append(f"the {words} is {page.percent(abs(change))} "
+            least = "at least " if change > 0. \
+                and row.get("name") in reflections.OF_THE_PHASE \
+                and scene.blast.found("results", "probe_1_cut_off") else ""
+            differing.append(f"the {words} is {least}"
+                             f"{page.percent(abs(change))} "
                              + ("below" if change < 0. else "above"))
             if files.as_number(row.get("run_error")) is None:
                 unsure.append(f"the {words}")

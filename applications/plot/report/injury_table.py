@@ -301,8 +301,10 @@ def table(scene, judged):
             parts.append(table_of(group))
     parts.append(page.paragraph(
         "Errors are relative, or bounds of what lies between 0 and 100\u00a0%, and "
-        "cover the numerics alone. They are estimated from the coarser run of "
-        "this scene (see the section on accuracy) and unknown of what that run lacks. "
+        "cover the numerics alone. They are "
+        + ("unknown without a coarser run. " if scene.coarser is None else
+           "estimated from the coarser run of this scene (see the section on "
+           "accuracy) and unknown of what that run lacks. ") +
         "Thresholds are those commonly cited; they and the tissue properties "
         "are less certain than the numerics."
         + (" ≥: a lower limit, since the run ends too early"

@@ -21,6 +21,8 @@ def reflectors(scene, time=None):
 
 def _planes(scene, time=None):
     """Names of the planes among them."""
+    if "reflections" not in scene.facts:  # as of a scene before 0.2.0
+        return [] if is_surface_burst(scene) else ["ground"]
     arrival, duration = (scene.blast.found("results", "probe_1_" + name)
                          for name in ("arrival", "duration"))
 

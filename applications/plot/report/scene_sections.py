@@ -483,14 +483,19 @@ def _draw_timeline(found):
             axis.plot(1e3 * event.mark, row, marker="o", markersize=4,
                       color=style.COLOURS[1])
     air = [event for event in found if event.lane == "air"]
-    place = -np.inf
+    groups = []  # letters of nearly equal times, and the first of these
     for letter, event in zip("abcdefgh", air):
-        # Letters of nearly equal times stand beside each other.
-        place = max(event.begin, place + 0.04 * last)
         axis.axvline(1e3 * event.begin, color="black", linewidth=0.9,
                      linestyle=":")
-        axis.annotate(f"({letter})", (1e3 * place, -0.65), (0, 3),
-                      textcoords="offset points", ha="center", fontsize=9,
+        if groups and event.begin - groups[-1][1] < \
+                0.04 * last * len(groups[-1][0]):
+            groups[-1][0].append(letter)
+        else:
+            groups.append(([letter], event.begin))
+    for letters, begin in groups:
+        axis.annotate(f"({', '.join(letters)})", (1e3 * begin, -0.65), (0, 3),
+                      textcoords="offset points", fontsize=9,
+                      ha="center" if len(letters) == 1 else "left",
                       annotation_clip=False)
     axis.set_yticks(range(len(rows)), [event.what for event in rows])
     axis.set_ylim(len(rows) - 0.4, -0.8)
