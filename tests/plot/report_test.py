@@ -1887,6 +1887,13 @@ class ReportTest(unittest.TestCase):
             for text in words(*load, *tables):
                 self.assertNotIn("tables", text)
 
+    def test_sides_that_the_front_grazes(self):
+        """Are among what could change the verdict."""
+        scene = types.SimpleNamespace(warnings=lambda: {
+            "grazed side: the front runs along A": ["blast"], "skin: a": []})
+        self.assertEqual(headline._grazed_sides(scene),
+                         ["The front runs along A."])
+
     def test_lungs_of_a_phase_that_is_cut(self):
         """Are sound so far where life is not judged."""
         for life, words, kind in ((verdict.UNJUDGED, "no lung injury so far",

@@ -325,7 +325,7 @@ def _certainty(scene, judged):
         why = injury_table.why_by_the_skin(scene)
         parts.append(f"{why[:1].upper()}{why[1:]}: death by lung injury follows "
                      "from the reflected load on the skin.")
-    parts += _walls(scene, judged)
+    parts += _walls(scene, judged) + _grazed_sides(scene)
     parts += _tables(scene, judged) + _verdicts(scene, judged)
     parts += injury_table.cut_off(judged, "Scene/End time",
                                   scene.fact("end_time"))
@@ -356,6 +356,14 @@ def _walls(scene, judged):
     return [f"The blast comes back from the {' and from the '.join(walls)}: "
             "verdicts on life and lungs are for a single wave and a person far "
             "from walls; several waves may injure more."]
+
+
+def _grazed_sides(scene):
+    """Open sides that disturb the wave from its arrival on, as the runs warn."""
+    begin = "grazed side: "
+    told = [text[len(begin):] for text in scene.warnings()
+            if text.startswith(begin)]
+    return [f"{text[:1].upper()}{text[1:]}." for text in told]
 
 
 def _tables(scene, judged):
