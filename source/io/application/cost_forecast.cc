@@ -452,13 +452,7 @@ namespace io
     if (trials.empty())
       return {without_trials(description, prm, rough, collective)};
     result.is_exact = trials.back().levels == 0 && !trials.back().is_stopped();
-    // The coarsest trials have a few steps alone.
-    for (std::size_t i =
-           trials.size() - std::min<std::size_t>(2, trials.size());
-         i < trials.size();
-         ++i)
-      result.step_growth =
-        std::max(result.step_growth, trials[i].step_growth());
+    result.step_growth = largest_step_growth(trials);
     // Coarse trials have other nodes for each cell than the run.
     if (rough.unknowns > 0. && !adapts)
       result.unknowns = std::round(rough.unknowns * result.cells / rough.cells);

@@ -7,6 +7,7 @@
 #include <contrecoup/io/application/application.h>
 #include <contrecoup/io/file/temporary_folder.h>
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -75,6 +76,16 @@ namespace io
              other_bytes;
     }
   };
+
+  /// The largest step_growth() of the last two trials; coarser ones have a few
+  /// steps alone.
+  inline double largest_step_growth(const std::vector<Trial> &trials)
+  {
+    double growth = 1.;
+    for (std::size_t i = trials.size(); i > 0 && i + 2 > trials.size(); --i)
+      growth = std::max(growth, trials[i - 1].step_growth());
+    return growth;
+  }
 
   /**
    * Runs a scene with 2^@p levels times larger cells to its end, silently,
