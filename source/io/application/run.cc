@@ -136,8 +136,9 @@ namespace io
     });
     const std::string gap =
       cost.is_exact ? "" : gap_of_steps(description_, prm_, cost);
+    // Tables have rows by steps.
     if (!gap.empty())
-      cost.steps = cost.seconds = 0.;
+      cost.steps = cost.seconds = cost.output = 0.;
     else if (!cost.is_exact)
       correct_steps(known.steps, rough.steps, time_, cost);
     if (description_.on_cost_estimate)
@@ -152,7 +153,7 @@ namespace io
     for (const std::string &line : cost_lines({{description_.name, cost}}))
       show_line(line);
     if (!gap.empty())
-      show_line("  steps and wall time are unknown: " + gap);
+      show_line("  steps, wall time and output are unknown: " + gap);
     complete_plan();
     // Of a part of a scene, which has a plan of its own, warnings are shown.
     for (const std::string &line : plan_lines(plan_))
