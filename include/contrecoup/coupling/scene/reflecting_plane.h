@@ -16,75 +16,78 @@ namespace contrecoup::coupling
 /// it: the ground, or a side of the domain that the user made a wall.
 struct ReflectingPlane
 {
-  std::string name;  ///< "ground", "wall at x = 3.2 m"
-  std::string entry; ///< that the user made it with; empty: none
-  unsigned int direction;
-  double place; ///< coordinate of the plane [m]
+  std::string name; ///< "ground", "wall at x = 3.2 m"
+  /// Entry with which the user made the plane; empty for the ground.
+  std::string entry;
+  unsigned int direction; ///< of its normal: 0, 1, 2 for x, y, z
+  double place;           ///< coordinate of the plane [m]
 
   dealii::Point<3> image(const dealii::Point<3> &charge) const;
   /// Distance of a point from the plane [m].
   double distance(const dealii::Point<3> &point) const;
 };
 
-/// The planes of a scene. The ground of a surface burst is none: the incident
-/// wave has what it reflects.
-/// @param sides that the user chose
+/// The reflecting planes of a scene, without the ground of a surface burst,
+/// whose reflection the tables of the incident wave contain.
+/// @param sides sides of the domain that the user chose
 std::vector<ReflectingPlane>
 reflecting_planes(const SceneLayout &layout,
                   const std::vector<ChosenSide> &sides);
 
-/// The open sides of the domain, which send back some of the wave, and all of
-/// it at grazing angles; the names are "x low" and the like.
+/// The open sides of the domain, with names such as "x low". They send back
+/// some of the wave, at grazing angles all of it.
 std::vector<ReflectingPlane> open_planes(const SceneLayout &layout,
                                          const std::vector<ChosenSide> &sides);
 
-/// When the reflection by a plane follows the incident wave at a place.
+/// Delay between the incident wave at a place and its reflection by a plane.
 struct Reflection
 {
-  std::string plane; ///< its name
-  /// As fast as the reflection can be: to the plane as the front, and from
-  /// there in the flow behind the front, as a wave of the same strength [s]
+  std::string plane; ///< name of the plane
+  /// Least delay [s]: the wave goes to the plane as the front, and from there
+  /// through the flow behind the front as a shock of the same strength.
   double least_delay;
-  double largest_delay; ///< at the speed of sound [s]
-  /// Whether it may be one with the incident wave, since it can be as early as
-  /// that, within what the tables know of arrivals.
+  /// Largest delay [s]: the detour at the speed of sound.
+  double largest_delay;
+  /// Whether the reflection may have merged with the incident wave: its least
+  /// delay is within the error of the tables' arrivals.
   bool merges;
 };
 
+/// The reflection by one plane at a place.
 Reflection reflection_at(const SceneParameters &scene,
                          const SceneLayout &layout,
                          const ReflectingPlane &plane,
                          const dealii::Point<3> &place);
 
-/// Those by all planes.
-/// @param sides that the user chose
+/// The reflections by all reflecting planes at a place.
+/// @param sides sides of the domain that the user chose
 std::vector<Reflection> reflections_at(const SceneParameters &scene,
                                        const SceneLayout &layout,
                                        const std::vector<ChosenSide> &sides,
                                        const dealii::Point<3> &place);
 
-/// Open side that the front runs along before it reaches the probe beside the
-/// body, or the nearest skin: what comes from there may be one with the wave.
-/// Empty: none.
+/// Name of an open side along which the front runs before it reaches the probe
+/// beside the body, or the nearest skin; empty if there is none. Such a side
+/// disturbs the wave from its arrival on.
 std::string grazed_side(const SceneParameters &scene,
                         const SceneLayout &layout,
                         const std::vector<ChosenSide> &sides);
 
-/// When the front can come from the charge's image behind an open side to the
-/// body, or to the probe beside it [s]; infinite without open sides.
+/// Earliest arrival of the front from the charge's image behind an open side at
+/// the body or the probe beside it [s]; infinite without open sides.
 double open_reflection_at_body(const SceneParameters &scene,
                                const SceneLayout &layout,
                                const std::vector<ChosenSide> &sides);
 
-/// What a plane adds to a quantity of the incident wave at the body's distance
-/// where its reflection has merged with that: what the ground adds to a surface
-/// burst [-]; NaN: unknown.
+/// Relative rise of a quantity of the incident wave at the body's distance by a
+/// reflection that has merged with that wave, taken as the rise by the ground
+/// of a surface burst [-]; NaN where the tables do not reach.
 double merged_rise(const SceneParameters &scene,
                    const SceneLayout &layout,
                    BlastQuantity quantity);
 
-/// Whether the reflection by a plane comes to the body before the end time: by
-/// the front on the way from the charge's image.
+/// Whether the front from the charge's image behind a plane comes to the body
+/// before the end time.
 bool sees_reflection(const SceneParameters &scene,
                      const SceneLayout &layout,
                      const ReflectingPlane &plane);
