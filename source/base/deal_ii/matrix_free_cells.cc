@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-// What FEEvaluation and CellwiseInverseMassMatrix need of deal.II for lanes
-// that the library does not hold, in the way that FEEvaluation documents.
+// What the set-up of MatrixFree and cell evaluations of degree -1 need of deal.II
+// for lanes that the library does not hold, in the way that FEEvaluation
+// documents. Time steps use evaluations with compiled degrees.
 
 #include <contrecoup/base/deal_ii/lane_width.h>
 
 #if DEAL_II_VECTORIZATION_WIDTH_IN_BITS == 0
 
-// Degrees that get kernels of their own; see the entry Method/Degree.
-#  define FE_EVAL_FACTORY_DEGREE_MAX 5
+// Higher degrees share the kernels that loop over any number of nodes.
+#  define FE_EVAL_FACTORY_DEGREE_MAX 1
 
 #  include <deal.II/matrix_free/evaluation_template_factory.templates.h>
 
@@ -17,19 +18,9 @@ template <typename Real>
 using Lanes =
   dealii::VectorizedArray<Real, CONTRECOUP_LANE_BITS / (8 * sizeof(Real))>;
 
-#  define CONTRECOUP_INSTANTIATE(dim, Real)                                  \
-    template struct dealii::internal::FEEvaluationFactory<dim, Lanes<Real>>; \
-    template void                                                            \
-    dealii::internal::CellwiseInverseMassFactory<dim, Lanes<Real>>::apply(   \
-      const unsigned int,                                                    \
-      const dealii::FEEvaluationData<dim, Lanes<Real>, false> &,             \
-      const Lanes<Real> *,                                                   \
-      Lanes<Real> *)
-
-CONTRECOUP_INSTANTIATE(1, double);
-CONTRECOUP_INSTANTIATE(2, double);
-CONTRECOUP_INSTANTIATE(3, double);
-CONTRECOUP_INSTANTIATE(3, float);
-#  undef CONTRECOUP_INSTANTIATE
+template struct dealii::internal::FEEvaluationFactory<1, Lanes<double>>;
+template struct dealii::internal::FEEvaluationFactory<2, Lanes<double>>;
+template struct dealii::internal::FEEvaluationFactory<3, Lanes<double>>;
+template struct dealii::internal::FEEvaluationFactory<3, Lanes<float>>;
 
 #endif

@@ -59,8 +59,8 @@ void GalerkinFaces<dim, Gas, Real>::reinit()
   fluxes_.resize(space_.n_values(nc));
   if (space_.is_collocated())
     return;
-  interior_ = std::make_unique<Evaluation>(space_.matrix_free(), true);
-  exterior_ = std::make_unique<Evaluation>(space_.matrix_free(), false);
+  interior_ = Evaluation::make(space_.matrix_free(), layout_.n - 1, true);
+  exterior_ = Evaluation::make(space_.matrix_free(), layout_.n - 1, false);
   if constexpr (dim > 1)
     measure_areas();
 }
@@ -238,7 +238,7 @@ void GalerkinFaces<dim, Gas, Real>::interpolated_fluxes()
   if (!is_boundary)
     exterior_->reinit(batch_->evaluation);
   for (unsigned int q = 0; q < n_points_; ++q)
-    axes_[q] = FaceAxes<dim, Number>(interior_->get_normal_vector(q));
+    axes_[q] = FaceAxes<dim, Number>(interior_->access().get_normal_vector(q));
   for (unsigned int side = 0; side < 2; ++side)
     if (batch_->has(side))
       interpolate(side);
@@ -265,7 +265,7 @@ void GalerkinFaces<dim, Gas, Real>::interpolate(const unsigned int side)
     to_primitive<dim>(gas_, conserved(side, 0))[C::pressure];
   const unsigned int face = batch_->face[side];
   const Values base = conserved(side, layout_.face_point(face, 0, 0));
-  Number *const dofs = phi.begin_dof_values();
+  Number *const dofs = phi.access().begin_dof_values();
   std::fill(dofs, dofs + nc * layout_.n_points, Number(0.));
   Values mean = base;
   for (unsigned int q = 1; q < n_points_; ++q)
@@ -281,7 +281,7 @@ void GalerkinFaces<dim, Gas, Real>::interpolate(const unsigned int side)
   phi.evaluate(values);
   for (unsigned int q = 0; q < n_points_; ++q)
   {
-    const auto difference = phi.get_value(q);
+    const auto difference = phi.access().get_value(q);
     Values u;
     for (unsigned int c = 0; c < nc; ++c)
       u[c] = base[c] + difference[c];
@@ -326,13 +326,13 @@ void GalerkinFaces<dim, Gas, Real>::integrate(const unsigned int side)
     dealii::Tensor<1, nc, Number> value;
     for (unsigned int c = 0; c < nc; ++c)
       value[c] = flux[c];
-    phi.submit_value(value, q);
+    phi.access().submit_value(value, q);
   }
   phi.integrate(values);
   Real *to = record(side);
   for (unsigned int c = 0; c < nc; ++c)
     for (unsigned int q = 0; q < n_points_; ++q, to += width)
-      phi
+      phi.access()
         .begin_dof_values()[c * layout_.n_points +
                             layout_.face_point(batch_->face[side], q, 0)]
         .store(to);

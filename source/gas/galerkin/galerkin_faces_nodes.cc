@@ -152,7 +152,8 @@ typename GalerkinFaces<dim, Gas, Real>::Places
 GalerkinFaces<dim, Gas, Real>::node_places(const unsigned int q) const
 {
   if (!space_.is_collocated())
-    return interior_->quadrature_point(space_.quadrature_point(*batch_, q));
+    return interior_->access().quadrature_point(
+      space_.quadrature_point(*batch_, q));
   const unsigned int point =
     layout_.face_point(batch_->face[batch_->interior], q, 0);
   dealii::Point<dim> reference;
@@ -208,7 +209,7 @@ GalerkinFaces<dim, Gas, Real>::given_state(const unsigned int q,
                                            const bool is_node) const
 {
   const Places places =
-    is_node ? node_places(q) : Places(interior_->quadrature_point(q));
+    is_node ? node_places(q) : Places(interior_->access().quadrature_point(q));
   Values unit;
   unit.fill(Number(0.));
   unit[C::velocity] = batch_->interior == 0 ? 1. : -1.;

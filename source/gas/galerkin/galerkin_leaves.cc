@@ -50,10 +50,9 @@ GalerkinLeaves<dim, Gas, Real>::GalerkinLeaves(const LeafMesh<dim> &mesh,
 template <int dim, typename Gas, typename Real>
 void GalerkinLeaves<dim, Gas, Real>::reinit()
 {
-  phi_ = std::make_unique<Evaluation>(space_.matrix_free());
-  metric_ =
-    std::make_unique<dealii::FEEvaluation<dim, -1, 0, dim, Real, Number>>(
-      space_.matrix_free());
+  phi_ = Evaluation::make(space_.matrix_free(), layout_.n - 1);
+  metric_ = NodalEvaluation<dim, dim, Real, false>::make(space_.matrix_free(),
+                                                         layout_.n - 1);
   if (space_.is_collocated())
     return;
   volumes_.resize(space_.cells().size() * n_points_);
@@ -111,7 +110,7 @@ void GalerkinLeaves<dim, Gas, Real>::bind(const unsigned int cell_batch)
   reader_.reinit(batch_->leaf.data(), layout_);
   if (space_.is_collocated())
   {
-    const auto inverse = phi_->inverse_jacobian(0);
+    const auto inverse = phi_->access().inverse_jacobian(0);
     for (unsigned int d = 0; d < dim; ++d)
     {
       extents_[d] = Number(1.) / inverse[d][d];
@@ -119,7 +118,7 @@ void GalerkinLeaves<dim, Gas, Real>::bind(const unsigned int cell_batch)
       to_area_[2 * d] = -to_area_[2 * d + 1];
     }
     if (!radial_.is_plane())
-      radial_.reinit(phi_->quadrature_point(0)[0], extents_[0]);
+      radial_.reinit(phi_->access().quadrature_point(0)[0], extents_[0]);
   }
 }
 
@@ -150,8 +149,8 @@ void GalerkinLeaves<dim, Gas, Real>::set_volumes()
 {
   for (unsigned int q = 0; q < n_points_; ++q)
   {
-    volume_[q] =
-      space_.is_collocated() ? phi_->JxW(q) : volumes_[index_ * n_points_ + q];
+    volume_[q] = space_.is_collocated() ? phi_->access().JxW(q)
+                                        : volumes_[index_ * n_points_ + q];
     if (!radial_.is_plane())
       volume_[q] *= radial_.jacobian(q % layout_.n);
   }
@@ -220,13 +219,13 @@ void GalerkinLeaves<dim, Gas, Real>::evaluate_state()
   const Values base = node(conserved_, 0);
   for (unsigned int c = 0; c < nc; ++c)
     for (unsigned int q = 0; q < n_points_; ++q)
-      phi_->begin_dof_values()[c * n_points_ + q] =
+      phi_->access().begin_dof_values()[c * n_points_ + q] =
         conserved_[c * n_points_ + q] - base[c];
   phi_->evaluate(EvaluationFlags::values);
   const Number one(1.);
   for (unsigned int q = 0; q < n_points_; ++q)
   {
-    const auto difference = phi_->get_value(q);
+    const auto difference = phi_->access().get_value(q);
     Values u;
     for (unsigned int c = 0; c < nc; ++c)
       u[c] = base[c] + difference[c];
@@ -260,7 +259,7 @@ void GalerkinLeaves<dim, Gas, Real>::submit_flux(const unsigned int q,
       for (unsigned int d = 1; d < dim; ++d)
         flux[c][d] *= radial_.jacobian(q % layout_.n);
     }
-  phi_->submit_gradient(flux, q);
+  phi_->access().submit_gradient(flux, q);
 }
 
 
@@ -298,7 +297,7 @@ void GalerkinLeaves<dim, Gas, Real>::add_face_fluxes()
           outflow[c * records.n_points + q] *= area;
       }
       for (unsigned int c = 0; c < nc; ++c)
-        phi_->begin_dof_values()[c * n_points_ + point] -=
+        phi_->access().begin_dof_values()[c * n_points_ + point] -=
           face < 2 && radial_.any_near_axis()
             ? Number(outflow[c * records.n_points + q] * radial_.collocated())
             : outflow[c * records.n_points + q];
@@ -312,10 +311,7 @@ void GalerkinLeaves<dim, Gas, Real>::divide_by_mass()
 {
   if (!space_.is_collocated())
   {
-    const dealii::MatrixFreeOperators::
-      CellwiseInverseMassMatrix<dim, -1, nc, Real, Number>
-        inverse(*phi_);
-    inverse.apply(phi_->begin_dof_values(), rate_.data());
+    phi_->apply_inverse_mass(rate_.data());
     return;
   }
   for (unsigned int q = 0; q < n_points_; ++q)
@@ -323,7 +319,7 @@ void GalerkinLeaves<dim, Gas, Real>::divide_by_mass()
     const Number inverse = Number(1.) / volume_[q];
     for (unsigned int c = 0; c < nc; ++c)
       rate_[c * n_points_ + q] =
-        phi_->begin_dof_values()[c * n_points_ + q] * inverse;
+        phi_->access().begin_dof_values()[c * n_points_ + q] * inverse;
   }
 }
 
@@ -334,7 +330,7 @@ GalerkinLeaves<dim, Gas, Real>::radial_area(const unsigned int line,
                                             const unsigned int f) const
 {
   const Number width_of_first = extents_[0] * subcells_.weight[0];
-  return phi_->JxW(layout_.face_point(0, line, 0)) / width_of_first *
+  return phi_->access().JxW(layout_.face_point(0, line, 0)) / width_of_first *
          radial_.area(f);
 }
 
@@ -458,7 +454,7 @@ GalerkinLeaves<dim, Gas, Real>::largest_signal_rate() const
     const Number sound_speed = std::sqrt(std::max(
       gas_.sound_speed_squared(p[C::density], p[C::pressure], products),
       Number(0.)));
-    const auto inverse = phi_->inverse_jacobian(q);
+    const auto inverse = phi_->access().inverse_jacobian(q);
     Number sum(0.);
     for (unsigned int d = 0; d < dim; ++d)
     {

@@ -46,7 +46,7 @@ template <int dim, typename Gas, typename Real>
 void GalerkinLeaves<dim, Gas, Real>::set_subcell_areas()
 {
   metric_->reinit(index_);
-  Number *const gradients = metric_->begin_gradients();
+  Number *const gradients = metric_->access().begin_gradients();
   for (unsigned int direction = 0; direction < dim; ++direction)
   {
     for (unsigned int q = 0; q < n_points_; ++q)
@@ -54,11 +54,13 @@ void GalerkinLeaves<dim, Gas, Real>::set_subcell_areas()
         for (unsigned int d = 0; d < dim; ++d)
           gradients[gradient_index<dim>(k, d, q, n_points_)] =
             d == direction
-              ? Number(metric_->inverse_jacobian(q)[k][d] * metric_->JxW(q))
+              ? Number(metric_->access().inverse_jacobian(q)[k][d] *
+                       metric_->access().JxW(q))
               : Number(0.);
     metric_->integrate(dealii::EvaluationFlags::gradients);
-    std::copy_n(
-      metric_->begin_dof_values(), dim * n_points_, area_[direction].data());
+    std::copy_n(metric_->access().begin_dof_values(),
+                dim * n_points_,
+                area_[direction].data());
     const unsigned int stride = layout_.stride(direction);
     for (unsigned int i = 0; i < dim * n_points_; ++i)
     {
@@ -280,7 +282,7 @@ GalerkinLeaves<dim, Gas, Real>::compression(const unsigned int direction,
     Vector tangent;
     if (!space_.is_collocated())
     {
-      tangent = invert(phi_->inverse_jacobian(point))[along];
+      tangent = invert(phi_->access().inverse_jacobian(point))[along];
       tangent *= Number(1.) / std::sqrt(tangent * tangent);
     }
     const auto difference = [&](const unsigned int a, const unsigned int b) {

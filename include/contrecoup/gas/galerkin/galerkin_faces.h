@@ -6,6 +6,7 @@
 #include <contrecoup/gas/conditions/boundary.h>
 #include <contrecoup/gas/galerkin/galerkin_space.h>
 #include <contrecoup/gas/galerkin/lobatto_subcells.h>
+#include <contrecoup/gas/galerkin/nodal_evaluation.h>
 #include <contrecoup/gas/octree/leaf_box.h>
 #include <contrecoup/gas/octree/neighbor_reader.h>
 #include <contrecoup/gas/octree/radial_nodes.h>
@@ -14,8 +15,6 @@
 #include <contrecoup/gas/stage/stage.h>
 #include <contrecoup/gas/state/primitive.h>
 #include <contrecoup/numerics/scheme/lobatto_basis.h>
-
-#include <deal.II/matrix_free/fe_evaluation.h>
 
 namespace contrecoup::gas
 {
@@ -73,8 +72,7 @@ public:
 
 private:
   using FaceBatch = typename Space::FaceBatch;
-  using Evaluation =
-    dealii::FEFaceEvaluation<dim, -1, 0, int(nc), Real, Number>;
+  using Evaluation = NodalEvaluation<dim, int(nc), Real, true>;
   using Trace = dealii::AlignedVector<Values>;
 
   void measure_areas();

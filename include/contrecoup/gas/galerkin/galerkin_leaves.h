@@ -8,8 +8,6 @@
 #include <contrecoup/gas/state/quiet_leaves.h>
 #include <contrecoup/numerics/scheme/trouble_indicator.h>
 
-#include <deal.II/matrix_free/operators.h>
-
 namespace contrecoup::gas
 {
 /**
@@ -62,7 +60,7 @@ public:
 
 private:
   using CellBatch = typename Space::CellBatch;
-  using Evaluation = dealii::FEEvaluation<dim, -1, 0, int(nc), Real, Number>;
+  using Evaluation = NodalEvaluation<dim, int(nc), Real, false>;
   using Line = dealii::AlignedVector<Values>;
 
   void bind(const unsigned int cell_batch);
@@ -154,7 +152,7 @@ private:
   RadialNodes<Number> radial_;
   const unsigned int n_points_;
   std::unique_ptr<Evaluation> phi_;
-  std::unique_ptr<dealii::FEEvaluation<dim, -1, 0, dim, Real, Number>> metric_;
+  std::unique_ptr<NodalEvaluation<dim, dim, Real, false>> metric_;
   dealii::AlignedVector<Number> volumes_; ///< of all nodes; not on boxes
 
   const CellBatch *batch_ = nullptr;
