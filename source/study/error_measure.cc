@@ -346,6 +346,18 @@ std::string ErrorMeasure::title(const std::vector<Column> &columns) const
                           : "relative error of " + what;
 }
 
+std::string ErrorMeasure::against() const
+{
+  if (!reference_settings_)
+    return reference_folder_.empty()
+             ? ""
+             : " against the run in " + reference_folder_;
+  std::vector<std::string> words;
+  for (const auto &[entry, value] : *reference_settings_)
+    words.push_back(entry + " = " + value);
+  return " against a run with " + join(words, ", ");
+}
+
 std::string ErrorMeasure::short_name() const
 {
   std::string name = kind_ == "exact" || quantity_ == "summary"

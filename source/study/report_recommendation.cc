@@ -58,7 +58,7 @@ std::vector<std::string> recommendation(const StudyParameters &parameters,
   if (parameters.error.required_error() <= 0. || best == nullptr)
     return {};
   const std::string goal = "the " + parameters.error.title(result.columns) +
-                           " at or below " +
+                           parameters.error.against() + " at or below " +
                            brief(parameters.error.required_error(), 3);
   if (!result.recommended)
     return {"No variant keeps " + goal + ". The most accurate, " +

@@ -177,7 +177,6 @@ Study::Study(const StudyParameters &parameters,
   , application_(parameters.application,
                  parameters.parameter_file,
                  parameters.ranks)
-  , begin_(std::chrono::steady_clock::now())
 {
   require_known_entries();
   parameters_.error.require_reference();
@@ -272,10 +271,14 @@ std::string Study::path(const std::string &name) const
   return folder_ + "/" + name;
 }
 
+bool Study::is_reference(const Task &task) const
+{
+  return has_reference_ && &task == &tasks_.front();
+}
+
 std::string Study::task_label(const Task &task) const
 {
-  const bool is_reference = has_reference_ && &task == &tasks_.front();
-  return is_reference ? reference_name : join(task.variant.labels, ", ");
+  return is_reference(task) ? reference_name : join(task.variant.labels, ", ");
 }
 
 bool Study::has_outcomes() const
@@ -319,7 +322,13 @@ void Study::report(const Task &task)
 {
   ++n_done_;
   const Outcome &outcome = *task.outcome;
-  const double passed = seconds_since(begin_);
+  // The reference run tells nothing of how long the variants take.
+  if (is_reference(task))
+  {
+    n_done_before_ = n_done_;
+    variants_begin_ = std::chrono::steady_clock::now();
+  }
+  const double passed = seconds_since(variants_begin_);
   const auto done_now = static_cast<double>(n_done_ - n_done_before_);
   const auto left = static_cast<double>(tasks_.size() - n_done_);
   const std::string line =
@@ -327,7 +336,9 @@ void Study::report(const Task &task)
     outcome.kind + "  " + duration(outcome.wall_seconds) + "  " +
     task_label(task) +
     (outcome.reason.empty() ? "" : ": " + one_line(outcome.reason)) +
-    "  (about " + duration(passed * left / done_now) + " left)";
+    (is_reference(task)
+       ? ""
+       : "  (about " + duration(passed * left / done_now) + " left)");
   // The screen gets some ten lines, and the first failures.
   const std::size_t part = most_lines * n_done_ / tasks_.size();
   const bool is_failure = !outcome.is_usable() && ++n_failed_ <= most_failures;
@@ -337,8 +348,7 @@ void Study::report(const Task &task)
     log_line(line);
   n_parts_shown_ = part;
   Log::instance().status(line);
-  const bool is_reference = has_reference_ && &task == &tasks_.front();
-  if (is_reference && !outcome.is_usable())
+  if (is_reference(task) && !outcome.is_usable())
     throw NumericsError(std::string(reference_name) + " is " + outcome.kind +
                         ": " + outcome.reason);
   // The first results also reveal a misspelt quantity.
@@ -468,11 +478,12 @@ void Study::execute(const io::CommandLine &command,
   require_possible_outputs(
     forecast_variants(application_, tasks_, 1, parameters_.cores, false));
   prepare(parameter_text, claim.goes_on(command, has_outcomes()), claim);
-  begin_ = std::chrono::steady_clock::now();
+  const auto begin = std::chrono::steady_clock::now();
+  variants_begin_ = begin;
   VariantRunner runner(application_, parameters_.cores, parameters_.time_limit);
   const bool complete =
     runner.run(tasks_, [&](const Task &task) { report(task); });
-  const double seconds = seconds_since(begin_);
+  const double seconds = seconds_since(begin);
   const std::string status = complete ? "finished" : "stopped";
   write_results(status, seconds);
   claim.set_status(status);

@@ -547,6 +547,10 @@ def thin_layers():
            "WARNING: skin, 4 mm (Body/Phantom/Skin thickness) is thinner than "
            "the elements of 10 mm, so that there are holes; Mesh/Element size "
            "of at most 2.3 mm closes them")
+    yield ("usual layers of biomechanics", "biomechanics",
+           shipped("biomechanics/quickstart.prm"),
+           "  cerebrospinal fluid, 2.5 mm (Body/Phantom) is thinner than the "
+           "elements of 10 mm, so that there are holes")
 
 
 def bar_of_lung():
@@ -661,7 +665,8 @@ def near_sides():
     yield ("open side that the front runs along", "scene",
            shipped(SCENE, entry("Blast/Domain/Lower corner", "-1.28, -0.9, 0"),
                    entry("Blast/Domain/Upper corner", "4.48, 0.9, 3.2")),
-           "WARNING: grazed side: the front runs along the open side y")
+           "WARNING: grazed side: the front runs along the open sides y low, "
+           "y high")
     street = [entry("Scene/End time", "0.006"),
               entry("Blast/Domain/Lower corner", "-1.28, -1.28, 0"),
               entry("Blast/Domain/Upper corner", "4.48, 1.28, 3.2"),

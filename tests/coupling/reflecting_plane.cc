@@ -53,8 +53,9 @@ TEST(ReflectingPlane, KnowsOpenSidesThatTheFrontRunsAlong)
   own.lower = Point<3>(-3.2, -3.84, 0.);
   own.upper = Point<3>(24.32, 3.84, 5.12);
   const SceneLayout near = open_layout(scene, own), chosen = open_layout(scene);
-  EXPECT_EQ(grazed_side(scene, near, {}).substr(0, 1), "y");
-  EXPECT_EQ(grazed_side(scene, chosen, {}), "");
+  EXPECT_EQ(grazed_sides(scene, near, {}),
+            (std::vector<std::string>{"y low", "y high", "z high"}));
+  EXPECT_TRUE(grazed_sides(scene, chosen, {}).empty());
   const double time = open_reflection_at_body(scene, near, {});
   EXPECT_GT(time, 0.0395);
   EXPECT_LT(time, 1.05 * 0.0395);

@@ -251,6 +251,15 @@ class ReportTest(unittest.TestCase):
                  html_page.quantity(1e-7, "Pa"))]),
             'a,b [%],c [Pa]\nx; <y,,1234.5678\n"""q"", r",12.3456789,1e-07\n')
 
+    def test_units_of_files(self):
+        """A unit stands over a column alone whose numbers all have it, and
+        limits stay limits."""
+        self.assertEqual(html_page.csv_text(
+            ("a", "b"), [("load", "0.170"), ("share", html_page.percent(0.5)),
+                         ("bound", html_page.at_least(2.5, True))]),
+            "a,b,unit of b,limit of b\nload,0.170,,\nshare,50.0,%,\n"
+            "bound,2.5,,≥\n")
+
     def test_one_scale(self):
         """Pictures of several times have one colour scale."""
         scene = Scene(self.whole)
@@ -964,13 +973,15 @@ class ReportTest(unittest.TestCase):
         self.assertNotIn("reflection", note)
 
     def test_minimum_on_the_skin(self):
-        """Is of what follows the arrival, not of noise before it."""
+        """Is of what follows the arrival, not of noise before it, and an upper
+        limit where the pressure falls until the end."""
         folder = self.copy_without("biomechanics/fields.pvd", "blast/fields")
         times = tiny_scene.TIMES
-        history = np.where(times < tiny_scene.BEGIN, -50., 1e5)
         scene = Scene(folder)
-        for last, minimum in ((10., "–"), (-2e3, "−2.00")):
-            history[-1] = last
+        for place, value, minimum in ((-1, 10., "–"), (-1, -2e3, "≤ −2.00"),
+                                      (-2, -2e3, "−2.00")):
+            history = np.where(times < tiny_scene.BEGIN, -50., 1e5)
+            history[place] = value
             gauges = Columns(time=times, chest=history)
             self.assertIn(f">{minimum}<", str(
                 blast_sections._gauge_table(scene, gauges)))
@@ -1792,8 +1803,9 @@ class ReportTest(unittest.TestCase):
             "≥ 1.20 m/s", "≥ 0.100", "not judged: the run ends too early",
             "The run ends too early, after 6 ms: rupture probability of the left "
             "eardrum, mean chest wall velocity, chest load over the 50 % "
-            "lethality load and probability of death by lung injury are lower "
-            "limits, and later extremes of other measures are unknown; a "
+            "lethality load, probability of death by lung injury and other "
+            "measures with ≥ are lower limits, and later extremes of the rest "
+            "are unknown; a "
             "later Scene/End time gives all of it")
         folder = self.cut_off(*mild)
         Made(folder)

@@ -197,8 +197,8 @@ def verdict_figure(scene, verdicts):
            if marks else "") + ".", "Peak overpressure on the skin."
         + (" Marks have the colour of their verdict: green below all "
            "thresholds, red above all, brown between, or where measures or the "
-           "tables differ, grey where the end of the run leaves a part "
-           "unjudged"
+           "tables differ or the verdict is uncertain by the numerics, grey "
+           "where the end of the run leaves a part unjudged"
            + ("." if all(mark.is_seen for mark in marks) else
               "; hollow ones are behind what is seen.") if marks else ""))
 
@@ -318,14 +318,16 @@ def _gauge_table(scene, gauges):
     for name, measures in scene.gauge_measures().items():
         if measures["peak"] <= 0. or name not in gauges:
             continue
-        lowest = float(gauges[name][time >= measures["arrival"]].min())
+        after = gauges[name][time >= measures["arrival"]]
+        lowest = float(after.min())
         is_cut = measures["cut off"] > 0.
         rows.append((
             name, page.number(1e3 * measures["arrival"]),
             page.number(1e-3 * measures["peak"]),
             page.at_least(measures["impulse"], is_cut),
             page.at_least(1e3 * measures["positive phase"], is_cut),
-            page.number(1e-3 * lowest) if lowest < -1. else "–",
+            ("≤ " if after[-1] == lowest else "")
+            + page.number(1e-3 * lowest) if lowest < -1. else "–",
             page.number(1e6 * signals.rise_time(time, gauges[name]), 2)))
     header = ("place", "arrival [ms]", "peak [kPa]", "impulse [Pa s]",
               "positive phase [ms]", "minimum [kPa]", "rise time [µs]")
@@ -335,7 +337,7 @@ def _gauge_table(scene, gauges):
         "last from the arrival until the overpressure first falls to zero "
         "after its peak; ≥ means that the run ended before. Minimum: of what follows the "
         "arrival; a dash means that the pressure does not fall below the ambient "
-        "pressure. Rise time: from a "
+        "pressure, ≤ that it falls until the end of the run. Rise time: from a "
         "tenth to nine tenths of the first peak; cells and patches lengthen "
         "it.", numbers=range(1, 7),
         data=(header + ("positive phase",),

@@ -385,7 +385,7 @@ def _tables(scene, judged):
                       for bias in _known_biases(scene).values()) else
                "Trust neither before a run with finer cells "
                f"({_entry_of_cells(scene)})."))
-    differing, unsure, chances = [], [], []
+    differing, unsure, chances, n_carried = [], [], [], 0
     for row in _rows(scene):
         here, known = (files.as_number(row.get(key))
                        for key in ("run", "tables"))
@@ -399,6 +399,8 @@ def _tables(scene, judged):
                                f"this run has {page.chance(here)}")
         else:
             change = here / known - 1.
+            # No verdict depends on when the wave comes.
+            n_carried += row.get("name") != "arrival"
             least = "at least " if change > 0. \
                 and row.get("name") in reflections.OF_THE_PHASE \
                 and scene.blast.found("results", "probe_1_cut_off") else ""
@@ -419,9 +421,10 @@ def _tables(scene, judged):
                + page.joined(unsure) + ")")
             + ("" if (scene.facts.get("tables") or {}).get("is_published", True)
                else " (the TNT equivalence is a ratio of energies, not "
-               "measured)") + "; loads and verdicts carry "
-            + ("these differences." if len(differing) > 1
-               else "this difference.")
+               "measured)")
+            + ("." if n_carried == 0 else "; loads and verdicts carry "
+               + ("these differences." if n_carried > 1
+                  else "this difference."))
             + (" What open sides of the domain send back may be the cause."
                if reflections.open_sides_disturb(scene) else ""))
     other = verdict.other_lungs(scene, judged)

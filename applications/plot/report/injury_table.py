@@ -46,10 +46,12 @@ def cut_off(judged, entry, end):
     lower limits, and the @p entry that helps."""
     cut = [one.short_title() + (" (in magnitude)" if one.value < 0. else "")
            for one in judged if one.is_cut and one.thresholds]
+    if cut and any(one.is_cut and not one.thresholds for one in judged):
+        cut.append("other measures with ≥")
     after = "" if end is None else f", after {page.given(1e3 * end, 'ms')}"
     return [f"The run ends too early{after}: {page.joined(cut)} "
             + ("are lower limits" if len(cut) > 1 else "is a lower limit")
-            + ", and later extremes of other measures are unknown; a later "
+            + ", and later extremes of the rest are unknown; a later "
             f"{entry} gives all of it."] if cut else []
 
 

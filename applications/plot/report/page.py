@@ -340,11 +340,13 @@ def table(header, rows, caption=None, numbers=(), widths=(), data=None):
 
 
 def csv_text(header, rows):
-    """A table as CSV: numbers with all digits, in columns of one unit below
-    it, in others before it."""
+    """A table as CSV: numbers with all digits, below their unit in columns of
+    one, else beside it, and beside their sign where some are lower or upper
+    limits."""
     titles, columns = [], []
     for title, cells in zip(header, zip(*rows) if rows else [()] * len(header)):
-        units = {cell.unit for cell in cells if isinstance(cell, Rounded)}
+        units = {getattr(cell, "unit", None) for cell in cells
+                 if isinstance(cell, Rounded) or _plain(cell)}
         titles.append(title)
         columns.append([_plain(cell) for cell in cells])
         if len(units) > 1:
@@ -353,6 +355,11 @@ def csv_text(header, rows):
                             for cell in cells])
         elif any(units):
             titles[-1] += f" [{units.pop()}]"
+        signs = [cell[0] if isinstance(cell, Rounded)
+                 and cell[:1] in ("≥", "≤") else "" for cell in cells]
+        if any(signs):
+            titles.append(f"limit of {title}")
+            columns.append(signs)
     stream = io.StringIO()
     csv.writer(stream, lineterminator="\n").writerows([titles, *zip(*columns)])
     return stream.getvalue()

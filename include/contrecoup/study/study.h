@@ -51,6 +51,7 @@ private:
   void print_costs(const std::vector<VariantForecast> &forecasts) const;
   /// Of outcomes, which name all entries, tables and pictures [byte].
   double size_of_own_files() const;
+  bool is_reference(const Task &task) const;
   /// Name of a run for messages.
   std::string task_label(const Task &task) const;
 
@@ -82,6 +83,6 @@ private:
   std::size_t n_done_before_ = 0;
   std::size_t n_done_ = 0, n_usable_ = 0, n_failed_ = 0, n_parts_shown_ = 0;
   std::optional<Failure> failure_; ///< to end with
-  std::chrono::steady_clock::time_point begin_;
+  std::chrono::steady_clock::time_point variants_begin_;
 };
 } // namespace contrecoup::study

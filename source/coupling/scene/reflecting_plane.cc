@@ -143,15 +143,16 @@ std::vector<Reflection> reflections_at(const SceneParameters &scene,
 }
 
 
-std::string grazed_side(const SceneParameters &scene,
-                        const SceneLayout &layout,
-                        const std::vector<ChosenSide> &sides)
+std::vector<std::string> grazed_sides(const SceneParameters &scene,
+                                      const SceneLayout &layout,
+                                      const std::vector<ChosenSide> &sides)
 {
+  std::vector<std::string> names;
   const Point<3> place = layout.probe.value_or(layout.nearest_skin);
   for (const ReflectingPlane &plane : open_planes(layout, sides))
     if (reflection_at(scene, layout, plane, place).merges)
-      return plane.name;
-  return "";
+      names.push_back(plane.name);
+  return names;
 }
 
 

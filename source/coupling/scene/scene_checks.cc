@@ -274,15 +274,16 @@ std::string reflection_warning(const PlannedScene &scene, const TaskText &blast)
 std::string grazing_warning(const PlannedScene &scene)
 {
   const SceneLayout &layout = scene.layout();
-  const std::string side =
-    layout.has_own_corners()
-      ? grazed_side(scene.parameters(), layout, scene.sides())
-      : "";
-  return side.empty()
+  if (!layout.has_own_corners())
+    return "";
+  const std::vector<std::string> sides =
+    grazed_sides(scene.parameters(), layout, scene.sides());
+  return sides.empty()
            ? ""
-           : "WARNING: grazed side: the front runs along the open side " +
-               side +
-               " before it reaches the body, where the wave is disturbed by it "
+           : "WARNING: grazed side: the front runs along the open " +
+               std::string(sides.size() == 1 ? "side " : "sides ") +
+               join(sides, ", ") +
+               " before it reaches the body, where the wave is disturbed "
                "from its arrival on; a larger Blast/Domain, or none, keeps "
                "that away";
 }

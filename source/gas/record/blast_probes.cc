@@ -63,6 +63,7 @@ void BlastProbes<dim>::add(const std::size_t i,
   if (exposures_.empty())
     return;
   ExposureRecord &exposure = exposures_[i];
+  exposure.waves.add(overpressure, time, records_[i]);
   if (state.density > ExposureRecord::densest_air)
     exposure.give_up();
   if (!(records_[i].peak > 0.) || std::isnan(exposure.load))
@@ -83,6 +84,7 @@ void BlastProbes<dim>::inherit(const std::size_t i, const Record &record)
   records_[i] = record;
   if (exposures_.empty())
     return;
+  exposures_[i].waves.first = record.peak;
   if (std::isnan(record.peak))
     exposures_[i].give_up();
   else if (record.peak > 0.)

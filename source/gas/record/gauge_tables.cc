@@ -198,8 +198,9 @@ namespace
      "side-on overpressure alone (equation of Axelsson and Yelverton 1996); not "
      "the mean over the four gauges of a blast test device, so that its levels "
      "of injury do not hold",
-     "part of the positive impulse that the first positive phase has: 1 in a "
-     "simple wave, for which alone the lung exposure is defined"}};
+     "part of the positive impulse that the first wave has within the first "
+     "positive phase: 1 in a simple wave, for which alone the lung exposure is "
+     "defined"}};
 
 
   std::string
@@ -256,9 +257,9 @@ std::array<double, 5> air_injury_values(const AirBlast &air,
   if (!(air.blast.peak > 0.) || std::isnan(air.exposure.load))
     return {{unknown, unknown, unknown, unknown, unknown}};
   const double first_phase =
-    air.is_cut || air.exposure.is_among_products() ? unknown
-    : air.total_impulse > 0. ? air.blast.impulse / air.total_impulse
-                             : 1.;
+    air.is_cut || air.exposure.is_among_products()
+      ? unknown
+      : air.exposure.waves.first_fraction(air.blast.impulse, air.total_impulse);
   const auto [shortest, longest] = air.exposure.durations(air.blast.duration);
   const auto injury_of = [&](const double duration) {
     return air_injury(

@@ -63,17 +63,16 @@ namespace
              const MPI_Comm communicator)
   {
     static_assert(sizeof(Record) == Record::n_values * sizeof(double));
-    std::vector<Record> mine(records.size());
-    for (const unsigned int i : local)
-      mine[i] = records[i];
     const dealii::ArrayView<double> target(
       reinterpret_cast<double *>(records.data()),
       records.size() * Record::n_values);
+    std::vector<double> mine(target.size(), 0.);
+    for (const unsigned int i : local)
+      std::copy_n(target.begin() + i * Record::n_values,
+                  Record::n_values,
+                  mine.begin() + i * Record::n_values);
     dealii::Utilities::MPI::sum(
-      dealii::ArrayView<const double>(
-        reinterpret_cast<const double *>(mine.data()), target.size()),
-      communicator,
-      target);
+      dealii::ArrayView<const double>(mine), communicator, target);
   }
 } // namespace
 
@@ -261,7 +260,8 @@ std::vector<std::string> ProbeRasters<dim>::gaps(const double time) const
   for (std::size_t i = 0; has_injuries() && i < probes_.size(); ++i)
     if (!is_in_body_[i])
       gaps.add("(" + coordinates(probes_.places()[i]) + ") m",
-               probes_.records()[i].measures(time),
+               is_rising(i) ? BlastMeasures()
+                            : probes_.records()[i].measures(time),
                probes_.exposures()[i].goes_on());
   return gaps.in_words();
 }
@@ -349,7 +349,7 @@ template <int dim>
 std::vector<double> ProbeRasters<dim>::values(const std::size_t i,
                                               const double time) const
 {
-  if (is_in_body_[i])
+  if (is_in_body_[i] || is_rising(i))
     return std::vector<double>(quantities().size(),
                                std::numeric_limits<double>::quiet_NaN());
   const BlastMeasures blast = probes_.records()[i].measures(time);

@@ -90,7 +90,6 @@ void ProbeSet<dim>::parse_parameters(ParameterHandler &prm,
                 "Probes/Points: the point",
                 prm.get_bool("Injury") ? Exposure::load_and_chest
                                        : Exposure::load);
-  peaks_.assign(places().size(), {});
   for (const auto &place : places())
     if (!scene.body.empty() && scene.body.value(place) < -1e-9)
     {
@@ -117,10 +116,7 @@ void ProbeSet<dim>::inherit(const KnownRecord<dim> &record,
 {
   for (std::size_t i = 0; i < probes_.size() && !is_continued_; ++i)
     if (const auto known = record(places()[i]))
-    {
       probes_.inherit(i, *known);
-      peaks_[i] = {known->peak};
-    }
 }
 
 
@@ -138,11 +134,7 @@ void ProbeSet<dim>::take(const std::vector<GasState<dim>> &states,
 {
   states_ = states;
   for (std::size_t i = 0; i < states_.size(); ++i)
-  {
     probes_.add(i, states_[i], time, time - last_time_);
-    peaks_[i].add(
-      states_[i].pressure - probes_.ambient()[i], time, probes_.records()[i]);
-  }
   last_time_ = time;
 }
 
@@ -182,7 +174,7 @@ std::vector<BlastMeasures> ProbeSet<dim>::first_waves() const
 {
   std::vector<BlastMeasures> result = blasts();
   for (std::size_t i = 0; i < result.size(); ++i)
-    result[i].peak = peaks_[i].first;
+    result[i].peak = waves(i).first;
   return result;
 }
 
@@ -205,11 +197,11 @@ ProbeSet<dim>::measures(const ReferenceSolution<dim> &reference) const
     for (std::size_t k = 0; k < numbers.size(); ++k)
       add("", k, numbers[k]);
     add("first_", 0, recorded_map_values(first[i])[0]);
-    if (peaks_[i].later > 0.)
+    if (waves(i).later > 0.)
     {
-      add("later_", 0, peaks_[i].later);
+      add("later_", 0, waves(i).later);
       values.push_back(
-        {probe_name(i, "later_peak_time"), "s", peaks_[i].later_time});
+        {probe_name(i, "later_peak_time"), "s", waves(i).later_time});
     }
     if (is_cut_off(found[i], last_time_))
       values.push_back({probe_name(i, "cut_off"), "-", 1.});
@@ -287,11 +279,11 @@ ProbeSet<dim>::report(const GasSnapshot<dim> &gas) const
   for (const std::string &line : aligned_rows(rows))
     lines.push_back(line);
   for (std::size_t i = 0; i < found.size(); ++i)
-    if (peaks_[i].later > peaks_[i].first)
+    if (waves(i).later > waves(i).first)
       lines.push_back("a later wave has the larger peak at probe " +
                       std::to_string(i + 1) + ": " +
-                      brief(peaks_[i].later * factors[0]) + " kPa at " +
-                      brief(peaks_[i].later_time * 1e3) + " ms");
+                      brief(waves(i).later * factors[0]) + " kPa at " +
+                      brief(waves(i).later_time * 1e3) + " ms");
   return lines;
 }
 
@@ -349,8 +341,6 @@ void ProbeSet<dim>::save(std::ostream &stream,
 {
   stream.write(reinterpret_cast<const char *>(&last_time_), sizeof(last_time_));
   probes_.save(stream);
-  stream.write(reinterpret_cast<const char *>(peaks_.data()),
-               peaks_.size() * sizeof(WavePeaks));
 }
 
 
@@ -359,8 +349,6 @@ void ProbeSet<dim>::load(std::istream &stream, const std::string & /*folder*/)
 {
   stream.read(reinterpret_cast<char *>(&last_time_), sizeof(last_time_));
   probes_.load(stream);
-  stream.read(reinterpret_cast<char *>(peaks_.data()),
-              peaks_.size() * sizeof(WavePeaks));
 }
 
 

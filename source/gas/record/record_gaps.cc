@@ -39,8 +39,8 @@ std::vector<std::string> RecordGaps::in_words() const
   std::vector<std::string> parts{"the record ends at " + brief(1e3 * time_, 4) +
                                  " ms"};
   if (!unreached_.empty())
-    parts.push_back("not reached by a blast: " + listed(unreached_) +
-                    ", where nothing is measured");
+    parts.push_back("not reached by a blast or its peak: " +
+                    listed(unreached_) + ", where nothing is measured");
   if (!cut_.empty())
     parts.push_back("cut off in the positive phase: " + listed(cut_) +
                     ", where impulse and duration are lower limits" + unknown_);

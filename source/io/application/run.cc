@@ -195,7 +195,7 @@ namespace io
     warn_of_unused(command_, prm_);
     if (description_.oversights)
       for (const std::string &line : description_.oversights(prm_))
-        log_line(line);
+        show_line(line);
   }
 
   void Run::write_check(const CostEstimate &cost)

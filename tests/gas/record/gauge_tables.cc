@@ -255,6 +255,39 @@ TEST(GaugeTables, TakeTheMeanOfABlastTestDevice)
 }
 
 
+// Triangles of 100 kPa over 2 ms and, where the first has fallen to a part of
+// its peak, of 50 kPa over 1 ms.
+TEST(GaugeTables, CountAWaveThatMergesWithTheFirstAsALaterOne)
+{
+  const auto fraction = [](const double part) {
+    BlastRecord<double> record;
+    ExposureRecord exposure;
+    const double step = 1e-5, second = 2e-3 * (1. - part);
+    for (double time = step; time < 6e-3; time += step)
+    {
+      const double since = time - 1e-3;
+      const double over =
+        since < 0.       ? 0.
+        : since < second ? 100e3 * (1. - since / 2e-3)
+                         : 100e3 * part + 50e3 * (1. - (since - second) / 1e-3);
+      record.add(over, time, step, 100.);
+      exposure.waves.add(over, time, record);
+    }
+    return air_injury_values(
+      {"", record.measures(6e-3), 101325., exposure, record.running}, 70.)[4];
+  };
+  // The second adds 25 Pa s, and the rest of the first stays beneath it.
+  for (const double part : {0.02, 0.2, 0.5})
+  {
+    const double first = 100. * (1. - part * part);
+    const double end = 1e-3 * (1. + part / 0.5);
+    const double second = 0.5 * (100e3 * part + 50e3) * end;
+    EXPECT_NEAR(fraction(part), first / (first + second), 0.01) << part;
+  }
+  EXPECT_NEAR(fraction(-0.2), 100. / 109., 0.01);
+}
+
+
 // 200 kPa of 5 ms: 310 kPa with the dynamic pressure, where 941 kPa kill half.
 TEST(GaugeTables, TellWhatAWaveDoesToAPersonInTheAir)
 {

@@ -342,10 +342,11 @@ TEST(LoadGauges, TellGapsOfTheirRecord)
                     limits = ", where impulse and duration are lower limits";
   EXPECT_EQ(gaps(0, 0, 3), "");
   EXPECT_EQ(gaps(1, 2, 1),
-            begin + "not reached by a blast: u0" + unreached +
+            begin + "not reached by a blast or its peak: u0" + unreached +
               "; cut off in the positive phase: c0, c1" + limits);
   EXPECT_EQ(gaps(2, 0, 0),
-            begin + "not reached by a blast: all 2 gauges" + unreached);
+            begin + "not reached by a blast or its peak: all 2 gauges" +
+              unreached);
   EXPECT_EQ(gaps(0, 5, 4),
             begin + "cut off in the positive phase: 5 of 9 gauges, as c0" +
               limits);
@@ -376,8 +377,9 @@ TEST(LoadGauges, MeasureNothingWhereNoBlastHasArrived)
   EXPECT_EQ(lines[0].find("arrival"), lines[2].find("not reached"));
   const std::vector<std::string> gaps = gauges.gaps(2e-3);
   ASSERT_EQ(gaps.size(), 1U);
-  EXPECT_NE(gaps[0].find("not reached by a blast: left side of the back,"),
-            std::string::npos)
+  EXPECT_NE(
+    gaps[0].find("not reached by a blast or its peak: left side of the back,"),
+    std::string::npos)
     << gaps[0];
 }
 

@@ -66,12 +66,12 @@ std::vector<Reflection> reflections_at(const SceneParameters &scene,
                                        const std::vector<ChosenSide> &sides,
                                        const dealii::Point<3> &place);
 
-/// Name of an open side along which the front runs before it reaches the probe
-/// beside the body, or the nearest skin; empty if there is none. Such a side
-/// disturbs the wave from its arrival on.
-std::string grazed_side(const SceneParameters &scene,
-                        const SceneLayout &layout,
-                        const std::vector<ChosenSide> &sides);
+/// Names of the open sides along which the front runs before it reaches the
+/// probe beside the body, or the nearest skin. Such sides disturb the wave from
+/// its arrival on.
+std::vector<std::string> grazed_sides(const SceneParameters &scene,
+                                      const SceneLayout &layout,
+                                      const std::vector<ChosenSide> &sides);
 
 /// Earliest arrival of the front from the charge's image behind an open side at
 /// the body or the probe beside it [s]; infinite without open sides.

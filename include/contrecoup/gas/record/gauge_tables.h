@@ -79,11 +79,11 @@ extern const std::vector<std::pair<std::string, std::string>>
  * Measures of injury to a person who stands upright at a place in the air, as
  * if nobody but the run's body were there: air_injury() with the duration of
  * ExposureRecord; the largest velocity of the chest wall under the overpressure
- * at the place; and the part of the positive impulse that the first positive
- * phase has, 1 in a simple wave, for which alone the lung exposure is defined,
- * and none among products. Not a number where no blast has arrived and where
- * nobody stands, see ExposureRecord; of lungs and first phase, where the blast
- * is cut off, too.
+ * at the place; and the part of the positive impulse that the first wave has
+ * within the first positive phase, 1 in a simple wave, for which alone the lung
+ * exposure is defined, and none among products. Not a number where no blast has
+ * arrived and where nobody stands, see ExposureRecord; of lungs and first
+ * phase, where the blast is cut off, too.
  *
  * @param body_mass for the lung exposure [kg]
  */

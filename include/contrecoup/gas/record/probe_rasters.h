@@ -83,6 +83,14 @@ private:
   {
     return probes_.exposure() != Exposure::none;
   }
+  /// Whether the peak of the blast has come to probe @p i at the end of the
+  /// last step, but may grow further; asked where injuries are.
+  bool is_rising(const std::size_t i) const
+  {
+    const BlastRecord<double> &record = probes_.records()[i];
+    return has_injuries() && record.arrival < 0. &&
+           probes_.exposures()[i].last >= record.peak;
+  }
   /// Names and units of values().
   std::vector<std::pair<std::string, std::string>> quantities() const;
   /// What is known of probe @p i at @p time [s]; else not a number.

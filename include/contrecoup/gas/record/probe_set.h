@@ -88,11 +88,14 @@ public:
   void load(std::istream &stream, const std::string &folder) override;
 
 private:
+  const WavePeaks &waves(const std::size_t i) const
+  {
+    return probes_.exposures()[i].waves;
+  }
   /// Blast measures with the peaks of the first wave.
   std::vector<BlastMeasures> first_waves() const;
 
   BlastProbes<dim> probes_;
-  std::vector<WavePeaks> peaks_;
   std::string folder_;        ///< of the results; empty in first stages
   double body_mass_ = 0.;     ///< [kg]
   double last_time_ = 0.;     ///< [s]

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <contrecoup/gas/state/blast_record.h>
+#include <contrecoup/gas/state/wave_peaks.h>
 #include <contrecoup/numerics/injury/blast_injury.h>
 #include <contrecoup/numerics/injury/chest_wall.h>
 
@@ -23,7 +24,7 @@ namespace contrecoup::gas
  */
 struct ExposureRecord
 {
-  static constexpr unsigned int n_values = 12;
+  static constexpr unsigned int n_values = 17;
 
   /// Density that no shock in air reaches [kg/m^3].
   static constexpr double densest_air = 100.;
@@ -37,6 +38,7 @@ struct ExposureRecord
   double elapsed = 0.;       ///< since the arrival [s]
   double lasting = 0.;       ///< end of the last notable phase so far [s]
   double pressing = 0.;      ///< end of the last large phase so far [s]
+  WavePeaks waves;           ///< of the overpressure
 
   /// Adds overpressure and dynamic pressure [Pa] and the mass fraction of
   /// products at the end of a step [s].

@@ -11,10 +11,11 @@
 namespace contrecoup::gas
 {
 /**
- * Peaks of the first wave at one position and of those that follow it, updated
- * once per step after the BlastRecord there, whose peak is the largest of all.
- * The first wave ends as its first rise does; a later one rises by a tenth of
- * the first peak at least, which no oscillation behind a front does.
+ * Peaks of the first wave at one position and of those that follow it, and the
+ * impulse of the first, updated once per step after the BlastRecord there,
+ * whose peak is the largest of all and whose impulse that of its positive
+ * phase. The first wave ends as its first rise does; a later one rises by a
+ * tenth of the first peak at least, which no oscillation behind a front does.
  */
 struct WavePeaks
 {
@@ -23,6 +24,8 @@ struct WavePeaks
   double later_time = 0.; ///< [s]
   /// Overpressure since the first rise [Pa].
   double lowest = std::numeric_limits<double>::infinity();
+  /// Until the overpressure was lowest, before any later wave [Pa s].
+  double first_impulse = 0.;
 
   /// Adds the overpressure [Pa] at the end @p time of a step [s].
   void add(const double overpressure,
@@ -36,13 +39,27 @@ struct WavePeaks
       first = record.peak;
       return;
     }
-    lowest = std::min(lowest, overpressure);
+    if (overpressure < lowest)
+    {
+      lowest = overpressure;
+      if (later == 0.)
+        first_impulse = record.running;
+    }
     constexpr double notable = 0.1;
     if (overpressure > later && overpressure - lowest > notable * first)
     {
       later = overpressure;
       later_time = time;
     }
+  }
+
+  /// Part that the first wave has in the @p total positive impulse [Pa s], if
+  /// the first positive phase has @p impulse [Pa s]: 1 in a simple wave.
+  double first_fraction(const double impulse, const double total) const
+  {
+    if (!(total > 0.))
+      return 1.;
+    return (later > 0. ? std::min(first_impulse, impulse) : impulse) / total;
   }
 };
 } // namespace contrecoup::gas
