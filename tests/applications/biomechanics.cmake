@@ -253,9 +253,10 @@ contrecoup_add_application_test(held_body bounds FILE ${_folder}/plane_wave.prm
   BOUNDS "status == finished" "checks.loaded_facets > 0"
   MESSAGE "or supports hold all that they reach")
 contrecoup_add_application_test(held_brain bounds FILE biomechanics/quickstart.prm
-  SET "Output/Fields=false" "Supports/Support head/Where=z > 1.4"
-    "Time/End time=1e-5"
-  BOUNDS "status == finished" "checks.brain_is_held > 0.5")
+  SET "Output/Fields=false" "Supports/Support head/Where=z > 1.3"
+    "Body/Phantom/Stature=1.58" "Probes/Points=" "Time/End time=1e-5"
+  BOUNDS "status == finished" "checks.brain_is_held > 0.5"
+  "checks.thin_spinal_cord > 0.5" "checks.thin_cerebrospinal_fluid > 0.5")
 contrecoup_add_application_test(energy_gate bounds
   FILE ${_folder}/plane_wave.prm
   SET "Output/Fields=false" "Energy audit/Largest residual=0"

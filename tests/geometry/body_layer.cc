@@ -63,12 +63,34 @@ TEST(BodyLayer, NamesTheSpinalCordOfASmallPerson)
   EXPECT_EQ(lines("1.756")[0].find("cord"), std::string::npos);
 }
 
-TEST(BodyLayer, OfASurfaceIsTheFluidOfItsOrgans)
+TEST(BodyLayer, OfASurfaceAreFluidAndCordOfItsOrgans)
 {
   EXPECT_TRUE(layers_of({"Kind=surface"}).empty());
   const auto layers = layers_of({"Kind=surface", "Surface/Organs=phantom"});
-  ASSERT_EQ(layers.size(), 1U);
+  ASSERT_EQ(layers.size(), 2U);
   EXPECT_EQ(layers[0].part, "cerebrospinal fluid");
+  EXPECT_EQ(layers[1].part, "spinal cord");
+}
+
+TEST(BodyLayer, HasHolesWhereElementsAreTooLarge)
+{
+  const BodyLayer cord = layers_of({})[1];
+  for (const auto &[size, n_pieces, has] : {std::tuple{0.012, 1U, true},
+                                            std::tuple{0.01, 1U, false},
+                                            std::tuple{0.01, 2U, true},
+                                            std::tuple{0.006, 2U, false}})
+    EXPECT_EQ(has_holes(cord, n_pieces, size), has) << size << " " << n_pieces;
+  EXPECT_EQ(layer_pieces_line(cord, 2, 0.01, "Mesh/Element size"),
+            "spinal cord of 11 mm (Body/Phantom) is in 2 pieces of elements; "
+            "Mesh/Element size of at most 6.3 mm closes it");
+  const BodyLayer layer = layers_of({"Kind=shape",
+                                     "Shape/Shape=layered head",
+                                     "Shape/Layers=0.003, 0.0065, 0.005"})
+                            .front();
+  EXPECT_EQ(layer_pieces_line(layer, 2, 0.003, "Element size"),
+            "WARNING: layer 1: cerebrospinal fluid of 3 mm "
+            "(Body/Shape/Layers) is in 2 pieces of elements; Element size of "
+            "at most 1.7 mm closes it");
 }
 
 TEST(BodyLayer, WarnsOfElementsThatTheUserMakesLarge)

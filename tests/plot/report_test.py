@@ -35,7 +35,8 @@ sys.path[:0] = [os.path.join(HERE, "..", "..", "applications"),
 import summaries  # noqa: E402 (after the path of the module)
 
 from plot import command_line  # noqa: E402 (after the path of the package)
-from plot.analysis import person, signals, wave_times  # noqa: E402
+from plot.analysis import (person, signals, tissue_places,  # noqa: E402
+                           wave_times)
 from plot.figures import (body_cuts, body_loads, body_views,  # noqa: E402
                           plane_cuts, style)
 from plot.readers import fields, loads, tables  # noqa: E402
@@ -2120,6 +2121,24 @@ class ReportTest(unittest.TestCase):
                     "in front of a standing person", "ends where the images end")
         self.assertFalse("load_gauges.csv" in words)
         self.assertFalse("contrecoup (an" in words)
+
+    def test_thin_tissue(self):
+        """Places in tissues for which elements are too large have a mark, and
+        no statement takes their pressures."""
+        def words_of(**thin):
+            folder = self.copy_without()
+            change_json(folder, "biomechanics/summary.json", lambda facts:
+                        facts["checks"].update(thin))
+            return folder, text_of(Made(folder).page)
+        folder, words = words_of(thin_brain=tiny_scene.with_unit(1., "-"))
+        self.expect(words, "brain, coup †", "brain, contrecoup †")
+        # At the chart of events and at the table of extremes.
+        self.assertEqual(words.count("† The elements are too large"), 2)
+        brain = tissue_places.BRAIN
+        self.assertNotIn(brain, body_sections.tissue_pressures(Scene(folder)))
+        folder, words = words_of()
+        self.assertNotIn("†", words)
+        self.assertIn(brain, body_sections.tissue_pressures(Scene(folder)))
 
     def test_own_hexahedra(self):
         """Tissues of the user's own have their names, and a box has no head."""

@@ -15,6 +15,7 @@ NAMES = {SOFT: "soft tissue", SKIN: "skin", SKELETON: "skeleton",
          LUNG: "lung", HEART: "heart", LIVER: "liver", 10: "water",
          11: "gelatin", 12: "polycarbonate"}
 OTHER = "other tissue"
+THIN = " †"  # of tissues in whose layers the elements leave holes
 NEAR = 0.07  # m, from a named place of the skin
 # What scene calls places, what a report calls them, and their tissue.
 GIVEN = {"coup": ("brain, coup", BRAIN),
@@ -42,7 +43,7 @@ class Place:
     def __init__(self, number, point, tissue, name):
         self.column = f"probe_{number}_"
         self.point, self.tissue, self.name = point, tissue, name
-        self.remark = ""  # on what is there instead
+        self.remark = ""  # on what is there instead, or THIN
 
     def pressure(self, probes):
         """Over time, of probes.csv of biomechanics [Pa]."""
@@ -53,9 +54,34 @@ class Place:
         return self.name + self.remark
 
 
+def is_thin(scene, tissue):
+    """Whether the elements leave holes in the layers of a tissue, by its name,
+    and so in what the run says of it; unknown of scenes before 0.2.0."""
+    return bool(scene.biomechanics.found(
+        "checks", "thin_" + tissue.replace(" ", "_")))
+
+
+def thin_note(titles):
+    """Explains the mark of titles that have it, or is empty."""
+    return "" if not any(title.endswith(THIN) for title in titles) else (
+        f"{THIN} The elements are too large for this tissue, which has holes "
+        "or is in pieces: what happens there is of the mesh, not of a body.")
+
+
 def find_places(scene):
-    """The probes of biomechanics with names: those of scene.json; else the
-    brain's nearest to the charge is "coup", its farthest "contrecoup"."""
+    """The probes of biomechanics with names, marked where elements are too
+    large for their tissues."""
+    places = _named_places(scene)
+    called = names(scene)
+    for place in places:
+        if not place.remark and is_thin(scene, called.get(place.tissue, "")):
+            place.remark = THIN
+    return places
+
+
+def _named_places(scene):
+    """With the names of scene.json; else the brain's nearest to the charge is
+    "coup", its farthest "contrecoup"."""
     points = files.points_of(
         scene.biomechanics.parameters.get("Probes/Points"))
     if not len(points):

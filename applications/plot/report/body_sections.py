@@ -248,7 +248,8 @@ def histories(scene):
          "largest strain [%]", "displacement [mm]"), rows,
         "Extremes over the run. Pressures are averaged over the elements of "
         "the same tissue around each place; stress and strain are of single "
-        "elements.", numbers=range(1, 7)))
+        "elements." + tissue_places.thin_note(
+            [place.title() for place in places]), numbers=range(1, 7)))
     return parts
 
 
@@ -438,8 +439,9 @@ def largest_displacement(scene):
 
 def tissue_pressures(scene):
     """By tissue the 95th percentile of the size of the pressure [Pa] over its
-    elements, largest over all outputs."""
-    found = {}
+    elements, largest over all outputs; without tissues for which the elements
+    are too large."""
+    found, called = {}, tissue_places.names(scene)
     for _, pieces in scene.field_list():
         values = {}
         for part in scene.field(pieces):
@@ -449,4 +451,5 @@ def tissue_pressures(scene):
         for tissue, lists in values.items():
             size = float(np.percentile(np.concatenate(lists), 95.))
             found[tissue] = max(found.get(tissue, 0.), size)
-    return found
+    return {tissue: size for tissue, size in found.items() if not
+            tissue_places.is_thin(scene, called.get(tissue, ""))}

@@ -442,7 +442,8 @@ def _timeline_chart(scene, found):
         + "; ".join(f"({'abcdefgh'[i + 1]}) {event.what}" if i >= 0 else
                     event.what for i, event in enumerate(
                         (event for event in found if event.lane == "air"),
-                        -1)) + ".", "svg")
+                        -1)) + "."
+        + tissue_places.thin_note([event.what for event in found]), "svg")
 
 
 def _unnamed(scene):

@@ -162,8 +162,8 @@ namespace coupling
                                          parameters_.tissue_set, tissue, {})));
       }
 
-      /// Warns of a body in pieces, and of layers of the user that are thick
-      /// enough for elements and yet in pieces.
+      /// Tells of a body in pieces, and of layers that are thick enough for
+      /// elements and yet in pieces, unless they are thick organs.
       void warn_of_pieces(const BodyReport &report) const
       {
         // Hexahedra of one's own bring the warning as a remark.
@@ -171,16 +171,15 @@ namespace coupling
               pieces_warning("the body", report.body().components);
             !line.empty() && !body_->own_mesh())
           log_line(line);
+        const double size = parameters_.element_size;
         for (const BodyLayer &layer : parameters_.layers)
           for (const ReportRow &row : report.rows)
             if (row.kind == "part" && row.components > 1 &&
-                layer.thickness != layer.usual &&
-                layer.thickness >= parameters_.element_size &&
-                row.name.substr(0, row.name.find(':')) == layer.part)
-              log_line(layer_pieces_line(layer,
-                                         row.components,
-                                         parameters_.element_size,
-                                         "Mesh/Element size"));
+                layer.thickness >= size && row.name == layer.part &&
+                (layer.thickness != layer.usual ||
+                 has_holes(layer, row.components, size)))
+              log_line(remark_line(layer_pieces_line(
+                layer, row.components, size, "Mesh/Element size")));
       }
 
       std::string path(const std::string &name) const

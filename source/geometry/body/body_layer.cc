@@ -49,7 +49,7 @@ namespace
   }
 
 
-  /// The phantom's fluid, as it is before its head is warped to the person's.
+  /// The phantom's fluid and cord, as they are before the warp to the person.
   std::vector<BodyLayer> layers_of_inserted_organs(ParameterHandler &prm)
   {
     {
@@ -57,7 +57,9 @@ namespace
       if (prm.get("Organs") != "phantom")
         return {};
     }
-    return {layers_of_phantom(prm).front()};
+    std::vector<BodyLayer> layers = layers_of_phantom(prm);
+    layers.resize(2);
+    return layers;
   }
 
 
@@ -180,6 +182,15 @@ namespace
 } // namespace
 
 
+bool has_holes(const BodyLayer &layer,
+               const unsigned int n_pieces,
+               const double element_size)
+{
+  return is_thin(layer, element_size) ||
+         (n_pieces > 1 && has_large_elements(layer, element_size));
+}
+
+
 std::vector<BodyLayer> read_layers(ParameterHandler &prm)
 {
   const Section section(prm, "Body");
@@ -247,9 +258,9 @@ std::string layer_pieces_line(const BodyLayer &layer,
                               const double element_size,
                               const std::string &entry)
 {
-  return "WARNING: " + layer.part + " of " + millimetres(layer.thickness) +
-         " (" + layer.entry + ") is in " + std::to_string(n_pieces) +
-         " pieces of elements" +
+  return (layer.thickness != layer.usual ? "WARNING: " : "") + layer.part +
+         " of " + millimetres(layer.thickness) + " (" + layer.entry +
+         ") is in " + std::to_string(n_pieces) + " pieces of elements" +
          (has_large_elements(layer, element_size)
             ? "; " + remedy({layer}, entry, "it")
             : "");

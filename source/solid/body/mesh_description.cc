@@ -8,6 +8,7 @@
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/log.h>
 #include <contrecoup/base/system/text.h>
+#include <contrecoup/geometry/mesh/hex_components.h>
 #include <contrecoup/geometry/mesh/hex_quality.h>
 #include <contrecoup/geometry/mesh/mesh_file.h>
 #include <contrecoup/geometry/mesh/mesh_pieces.h>
@@ -57,8 +58,11 @@ void MeshDescription::parse_parameters(ParameterHandler &prm)
   }
   if (kind_ == "body")
   {
-    const Section section(prm, "Body");
-    body_.parse_parameters(prm);
+    {
+      const Section section(prm, "Body");
+      body_.parse_parameters(prm);
+    }
+    layers_ = read_layers(prm);
   }
 }
 
@@ -166,6 +170,21 @@ HexMesh MeshDescription::create() const
                      brief(element_size_) + " m");
   set_regions(mesh);
   return mesh;
+}
+
+
+std::set<Tissue> MeshDescription::thin_tissues(const HexMesh &mesh) const
+{
+  if (layers_.empty())
+    return {};
+  const auto n_pieces = count_components(mesh, mesh.part);
+  std::set<Tissue> found;
+  for (const BodyLayer &layer : layers_)
+    for (std::size_t i = 0; i < mesh.parts.size(); ++i)
+      if (mesh.parts[i].name == layer.part && n_pieces[i] > 0 &&
+          has_holes(layer, n_pieces[i], element_size_))
+        found.insert(mesh.parts[i].tissue);
+  return found;
 }
 
 

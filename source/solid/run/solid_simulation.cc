@@ -113,6 +113,7 @@ void SolidSimulation<Real>::build()
   {
     const TimerScope timer("mesh");
     mesh = mesh_description_.create();
+    thin_tissues_ = mesh_description_.thin_tissues(mesh);
   }
   body_.set_smallest_step(smallest_step_ / (safety_ * options_.step_factor()));
   body_.set_slip(slip_);
@@ -376,6 +377,8 @@ std::vector<NamedValue> SolidSimulation<Real>::checks()
        has_brain(find_held_tissues(body_.mesh(), supports_, communicator_))
          ? 1.
          : 0.});
+  for (const Tissue tissue : thin_tissues_)
+    values.push_back({tissue_column("thin", tissue), "-", 1.});
   for (const NamedValue &value : body_.mass_scaling().report())
     values.push_back(value);
   for (const NamedValue &value :

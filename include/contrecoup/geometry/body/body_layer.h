@@ -19,6 +19,12 @@ struct BodyLayer
   double usual = 0.; ///< thickness without the user's choice [m]; 0: no layer
 };
 
+/// Whether elements leave holes in a layer: it is thinner than they are, or
+/// than their diagonal and in pieces.
+bool has_holes(const BodyLayer &layer,
+               unsigned int n_pieces,
+               double element_size);
+
 /// Layers of the body that the entries of subsection "Body" describe; those of
 /// hexahedra of one's own are as they are.
 std::vector<BodyLayer> read_layers(dealii::ParameterHandler &prm);
@@ -46,8 +52,9 @@ uncertain_layer_lines(const std::vector<BodyLayer> &layers,
                       double element_size,
                       const std::string &entry);
 
-/// A warning of a layer whose elements are in that many pieces, with a size
-/// that closes it where elements are too large.
+/// The line about a layer whose elements are in that many pieces, with a size
+/// that closes it where elements are too large: a warning if its thickness is
+/// the user's.
 std::string layer_pieces_line(const BodyLayer &layer,
                               unsigned int n_pieces,
                               double element_size,

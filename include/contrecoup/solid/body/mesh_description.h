@@ -5,6 +5,7 @@
 
 #include <contrecoup/base/parameters/expression.h>
 #include <contrecoup/geometry/body/body_description.h>
+#include <contrecoup/geometry/body/body_layer.h>
 #include <contrecoup/geometry/mesh/hex_mesh.h>
 #include <contrecoup/geometry/mesh/mesh_groups.h>
 #include <contrecoup/geometry/mesh/mesh_smoothing.h>
@@ -14,6 +15,7 @@
 #include <deal.II/grid/tria.h>
 
 #include <array>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -31,6 +33,9 @@ public:
 
   /// Builds the mesh. @throws InputError when a file cannot be used
   HexMesh create() const;
+
+  /// Tissues of layers in which the elements of create() leave holes.
+  std::set<Tissue> thin_tissues(const HexMesh &mesh) const;
 
   /// Estimates the number of elements of create().
   double estimate_elements() const;
@@ -71,6 +76,7 @@ private:
   std::vector<Region> regions_;
 
   BodyDescription body_;
+  std::vector<BodyLayer> layers_;
   double element_size_ = 0.;
   unsigned int levels_ = 0;
   SmoothingOptions smoothing_;
