@@ -258,6 +258,25 @@ class InjuryMapsTest(unittest.TestCase):
         self.assertIn("half of the people would die on", text)
         self.assertIn("thresholds of the user&#x27;s own for rupture", text)
 
+    def test_reflections_by_open_sides(self):
+        """Are told with place and time, also where they do not reach the
+        body."""
+        tiny_scene.write_all(self.folder)
+        self.write(fields(), os.path.join(self.folder, "blast"))
+        row = {"item": "reflection", "quantity": "first reflection from an open "
+               "side at the probe at 3.5, 3, 1.2 m", "estimate": "0.0084 s",
+               "found": "0.0091 s", "limit": "at least 0.0095 s"}
+
+        def told(**change):
+            scene = Scene(self.folder)
+            scene.facts.update(audit=[row | change], reflection_at_body=1.)
+            return "".join(map(str, blast_sections.people(scene)))
+        words = "first to the one at 3.5, 3, 1.2 m at "
+        self.assertIn(words + "0.0091 s: figures of the maps may", told(holds=False))
+        self.assertIn(words + "an estimated 0.0084 s: figures",
+                      told(holds=False, found="unknown"))
+        self.assertNotIn("Open sides of the domain", told(holds=True))
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -11,7 +11,7 @@ from plot.analysis import person, signals, wave_times
 from plot.figures import (body_loads, body_views, injury_maps, plane_cuts,
                           style)
 from plot.report import (error_estimate, injury_thresholds, least_phases, page,
-                         unfinished)
+                         reflections, unfinished)
 from plot.report.injury_thresholds import KNOWN
 
 # Of maps of people: the measure with thresholds, what it is called, and the
@@ -111,7 +111,7 @@ def people(scene):
                if own else "")
             + "the chest wall velocity: "
             f"{KNOWN['chest_wall_velocity_air'].limits}."
-            + _limits_of_velocity(maps)))
+            + _limits_of_velocity(maps) + reflections.note_on_maps(scene)))
     return parts
 
 

@@ -189,20 +189,44 @@ def is_elsewhere(scene, row):
     if row.get("item") != "reflection":
         return False
     at_body, end = map(scene.fact, ("reflection_at_body", "end_time"))
-    probe = scene.facts.get("probe_beside_body")
-    place = re.search(r" at ([^a-z]+) m$", str(row.get("quantity")))
+    probe, place = scene.facts.get("probe_beside_body"), _place_of(row)
     is_of_probe = probe and place and all(
         abs(found - known) < 1e-3 for found, known in zip(
-            map(float, place[1].split(",")), probe))
+            map(float, place.split(",")), probe))
     return not is_of_probe and None not in (at_body, end) and at_body >= end
+
+
+def _place_of(row):
+    """Coordinates in an item of the audit, as text, or None."""
+    place = re.search(r" at ([^a-z]+) m$", str(row.get("quantity")))
+    return place and place[1]
+
+
+def _of_open_sides(scene):
+    """Items of the audit by which open sides send a wave to gauges before the
+    end."""
+    return [row for row in scene.list_of("audit")
+            if row.get("item") == "reflection" and row.get("holds") is False]
 
 
 def open_sides_disturb(scene):
     """Whether open sides send a wave to the body, or to the probe beside it,
     before the end."""
-    return any(row.get("item") == "reflection" and row.get("holds") is False
-               and not is_elsewhere(scene, row)
-               for row in scene.list_of("audit"))
+    return any(not is_elsewhere(scene, row) for row in _of_open_sides(scene))
+
+
+def note_on_maps(scene):
+    """Where and when open sides send a wave to gauges first, as a sentence; ""
+    if they do not before the end."""
+    for row in _of_open_sides(scene):
+        place, found = _place_of(row), row.get("found")
+        return (" Open sides of the domain send a wave back to gauges before "
+                "the end"
+                + (f", first to the one at {place} m" if place else "")
+                + (f" at {found}" if found != "unknown" else
+                   f" at an estimated {row.get('estimate')}")
+                + ": figures of the maps may have it in them.")
+    return ""
 
 
 def is_late(scene, arrival, time):
