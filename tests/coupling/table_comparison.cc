@@ -129,6 +129,10 @@ TEST(TableComparison, WarnsOfDifferencesBeyondTheErrorsOfBoth)
   EXPECT_NE(cut.find("incident peak "), std::string::npos) << cut;
   for (const char *part : {"; impulse ", "; duration ", "lung injury"})
     EXPECT_EQ(cut.find(part), std::string::npos) << cut;
+  // What is larger all the same is told as the lower limit that it is.
+  const std::string above = warning_for(tnt, 3., 2.9, true);
+  EXPECT_NE(above.find("; impulse at least "), std::string::npos) << above;
+  EXPECT_EQ(warning_for(tnt, 3., 2.9).find("at least"), std::string::npos);
   // Cells of half the size may give what is missing.
   EXPECT_EQ(warning_for(tnt, 0.8, 0.65), "");
 }
@@ -414,6 +418,7 @@ TEST(TableComparison, IsOfTheSkinWithoutAProbe)
         << factor * peak << R"(}, "loads_upper_arm_peak": {"value": )"
         << 2. * factor * peak
         << R"(}, "loads_upper_arm_impulse": {"value": 1},)"
+        << R"( "loads_upper_arm_cut_off": {"value": 1},)"
         << R"( "loads_upper_arm_arrival": {"value": )"
         << wave.value(BlastQuantity::arrival, 0.35) << "}}}";
     }
@@ -428,6 +433,7 @@ TEST(TableComparison, IsOfTheSkinWithoutAProbe)
   // A body is no endless wall: its impulse may be less.
   EXPECT_LT(rows[1].run, 0.1 * rows[1].tables);
   EXPECT_TRUE(rows[0].differs && !rows[1].differs && !rows[2].differs);
+  EXPECT_TRUE(!rows[0].is_cut && rows[1].is_cut && !rows[2].is_cut);
   const std::string warning = warning_of(rows, scene.explosive);
   EXPECT_EQ(warning.find("WARNING: at the upper arm, run and tables of Kingery "
                          "and Bulmash differ by more than what is known of "

@@ -569,6 +569,12 @@ class ReportTest(unittest.TestCase):
             self.assertEqual(
                 [row[1].startswith("≥") for row in headline._compared(scene)],
                 [False, bool(known)])
+            for row in scene.facts["table_comparison"]:
+                row.update(name="reflected_" + row["name"],
+                           cut_off=row["name"] == "impulse")
+            self.assertEqual(
+                [row[1].startswith("≥") for row in headline._compared(scene)],
+                [False, True])
         # Of each probe, where a difference would be that of the run's end.
         figures = {f"probe_{number}_{kind}{name}": 2. + (kind == "")
                    for number in (1, 2) for kind in ("", "reference_")
@@ -579,6 +585,30 @@ class ReportTest(unittest.TestCase):
         self.assertEqual([table.count(words) for words in (
             ">≥ 3.00\xa0Pa s<", ">≥ 3.00\xa0s<", ">3.00\xa0s<", ">–<",
             ">50\xa0%<", "≥: a lower limit")], [1, 1, 3, 2, 4, 1], table)
+
+    def test_phase_of_the_skin_that_the_end_cuts(self):
+        """Impulses there are lower limits, wherever they are told."""
+        for duration, is_cut in ((1e-4, False), (1., True)):
+            folder = self.copy_without()
+            with h5py.File(os.path.join(folder, "blast", "loads.h5"),
+                           "a") as file:
+                file["duration"] = np.full(len(file["area"]), duration)
+            scene = Scene(folder)
+            self.assertEqual(" its impulse at least " in
+                             headline._loads_alone(scene), is_cut)
+            self.assertEqual("On 100\u00a0% of the skin the run ends" in
+                             "".join(map(str, blast_sections.skin(scene))),
+                             is_cut)
+            scene.coarser = scene
+            self.assertEqual(
+                [[cell.startswith("≥") for cell in row[1:3]]
+                 for row in error_estimate._rows_of_skin(scene)],
+                [[False] * 2, [is_cut] * 2])
+        known = scene.gauge_measures()
+        next(iter(known.values()))["cut off"] = 1.
+        scene.gauge_measures = lambda: known
+        self.assertEqual(sum("impulse ≥ " in event.detail for event in
+                             scene_sections._skin_events(scene)), 1)
 
     def test_load_in_the_air(self):
         """At a probe as far from the charge as the body, Bowen's definition

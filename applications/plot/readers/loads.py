@@ -75,6 +75,19 @@ class Loads:
         return float(self.file[name][:].max(
             initial=0., where=self.arrived()))
 
+    def cut_off(self):
+        """Whether the record ends before the positive phase of each facet does;
+        unknown of files without durations."""
+        if "duration" not in self or not len(self.times):
+            return np.zeros(len(self.areas), dtype=bool)
+        ends = self.file["arrival"][:] + self.file["duration"][:]
+        return self.arrived() & (ends >= (1. - 1e-9) * self.times[-1])
+
+    def is_cut_off(self, name):
+        """Whether the record cuts the phase where a measure is largest."""
+        return len(self.areas) > 0 and bool(self.cut_off()[
+            np.argmax(np.nan_to_num(self.measure(name)))])
+
     def first_arrival(self):
         """Of the blast at any facet [s], or None."""
         times = self.file["arrival"][self.arrived()]

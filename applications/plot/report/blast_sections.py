@@ -247,6 +247,7 @@ def skin(scene):
         times = page.drawn(body_loads.draw_times, known, views, one_scale=True)
         measures = page.drawn(body_loads.draw_measures, known, views)
         largest = page.quantity(known.largest("peak"), "Pa")
+        cut = known.areas[known.cut_off()].sum() / known.areas.sum()
     bare = "" if views.bare_part() < SEEN_BARE else (
         " Even grey: skin that no gas reaches, as that on the ground.")
     return [
@@ -261,7 +262,9 @@ def skin(scene):
                     "and by arrival.",
                     "Peak overpressure, impulse of the positive phase and "
                     "arrival of the wave on the skin, over the whole run."
-                    + bare)]
+                    + (f" On {page.percent(cut)} of the skin the run ends before "
+                       "the positive phase does: impulses there are lower "
+                       "limits." if cut > 0. else "") + bare)]
 
 
 def histories(scene):

@@ -116,8 +116,11 @@ def _rows_of_skin(scene):
             ("impulse", "Pa s", "largest impulse on the skin")):
         coarser, value, found = of_skin(scene, name)
         if found is not None:
-            yield (title, page.quantity(coarser, unit),
-                   page.quantity(value, unit), page.error(found))
+            yield (title, *(page.limit(size, name == "impulse"
+                                       and run.loads().is_cut_off(name))
+                            + page.quantity(size, unit) for size, run in (
+                                (coarser, scene.coarser), (value, scene))),
+                   page.error(found))
 
 
 def section(scene, judged):

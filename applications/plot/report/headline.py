@@ -182,7 +182,6 @@ def _compared(scene, judged=()):
     """Rows of this run beside the tables; of the tables alone where this run has
     neither a probe as far from the charge as the body nor a gauge there."""
     rows, compared = [], scene.list_of("table_comparison")
-    is_cut = scene.blast.found("results", "probe_1_cut_off")
     least = least_phases.at_probe(scene)
     for row in _rows(scene):
         name, unit = str(row.get("name")), row.get("unit") or "-"
@@ -194,7 +193,7 @@ def _compared(scene, judged=()):
         cells = [_with_error(row.get(key), unit, is_chance,
                              row.get(f"{key}_error"))
                  for key in (("run", "tables") if compared else ("tables",))]
-        if compared and is_cut and name in reflections.OF_THE_PHASE:
+        if compared and reflections.is_cut_off(scene, row):
             cells[0] = "≥ " + cells[0]
         if compared and least is not None and name == "duration":
             cells[0] += f", least {page.milliseconds(least)}"
@@ -313,8 +312,9 @@ def _loads_alone(scene):
     peak, impulse = (error_estimate.of_skin(scene, name)[1:]
                      for name in ("peak", "impulse"))
     unsure = "; numerical error unknown" if None in (*peak, *impulse) else ""
+    least = "at least " if known.is_cut_off("impulse") else ""
     return ("The overpressure on the skin reaches "
-            f"{_with_error(peak[0], 'Pa', False, peak[1])}, its impulse "
+            f"{_with_error(peak[0], 'Pa', False, peak[1])}, its impulse {least}"
             f"{_with_error(impulse[0], 'Pa s', False, impulse[1])}{unsure}.")
 
 
@@ -402,8 +402,7 @@ def _tables(scene, judged):
             # No verdict depends on when the wave comes.
             n_carried += row.get("name") != "arrival"
             least = "at least " if change > 0. \
-                and row.get("name") in reflections.OF_THE_PHASE \
-                and scene.blast.found("results", "probe_1_cut_off") else ""
+                and reflections.is_cut_off(scene, row) else ""
             differing.append(f"the {words} is {least}"
                              f"{page.percent(abs(change))} "
                              + ("below" if change < 0. else "above"))

@@ -69,6 +69,14 @@ def wall_sides(scene):
             and str(row.get("decision")).startswith(("wall", "symmetry"))]
 
 
+def is_cut_off(scene, row):
+    """Whether what the run has beside the tables is a lower limit, as it ends
+    before the positive phase does; scenes before 0.2.0 tell it of the probe."""
+    return bool(row.get(
+        "cut_off", row.get("name") in OF_THE_PHASE
+        and scene.blast.found("results", "probe_1_cut_off")))
+
+
 def note(scene, probe="the probe"):
     """What reflections and the end of the run do to the wave at the first probe,
     as sentences."""

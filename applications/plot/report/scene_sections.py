@@ -350,6 +350,7 @@ def _skin_events(scene):
             measures["arrival"] + measures["positive phase"],
             second and second[0],
             f"peak {page.quantity(measures['peak'], 'Pa')}, impulse "
+            + page.limit(measures["impulse"], measures["cut off"] > 0.)
             + page.quantity(measures["impulse"], "Pa s")))
         found[-1].is_cut = measures["cut off"] > 0.
     return sorted(found, key=lambda event: event.begin)

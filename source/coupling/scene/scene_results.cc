@@ -260,6 +260,7 @@ namespace
                       {"place", one.place},
                       {"unit", one.unit},
                       {"run", one.run},
+                      {"cut_off", one.is_cut},
                       {"run_error", number(one.run_error)},
                       {"tables", one.tables},
                       {"tables_error", one.tables_error},

@@ -262,7 +262,7 @@ namespace
       return one.unit == "Pa" ? brief(1e-3 * value, 3) + " kPa"
                               : brief(value, 3) + " " + one.unit;
     };
-    return title + " " + text(one.run) +
+    return title + (one.is_cut ? " at least " : " ") + text(one.run) +
            (!has_error ? ""
             : std::isfinite(one.run_error)
               ? " (numerical error " + brief(100. * one.run_error, 2) + " %)"
@@ -296,17 +296,16 @@ compare_with_tables(const SceneParameters &scene,
                     const std::vector<ChosenSide> &sides)
 {
   const auto answer = table_answer(scene, layout, body_mass);
-  const std::string fine = folder + "/blast",
-                    coarse = folder + "/coarser_blast";
+  const std::string fine = folder + "/blast";
   if (!answer || !layout.probe || !is_beside_body(*answer, fine))
     return {};
   const double error = error_of_tables(scene);
   const auto values = [&](const std::string &name) {
     return std::pair<double, double>(
-      value_of(fine, name), has_coarser_run ? value_of(coarse, name) : unknown);
+      value_of(fine, name),
+      has_coarser_run ? value_of(folder + "/coarser_blast", name) : unknown);
   };
-  // A merged wave is that of a stronger charge, and earlier. A positive phase
-  // that the end of the run cuts is a lower limit.
+  // A merged wave is that of a stronger charge, and earlier.
   const bool merges =
     has_merged(reflections_at_probe(scene, layout, sides, folder));
   // Reflections may add to the largest peak.
@@ -319,6 +318,7 @@ compare_with_tables(const SceneParameters &scene,
             merges || value_of(fine, largest_peak) >
                         value_of(fine, "peak_overpressure"),
             false);
+  const bool is_cut = result_of(fine, "probe_1_cut_off") > 0.;
   std::vector<ComparedQuantity> list;
   const auto add = [&](const std::string &name,
                        const std::string &unit,
@@ -336,8 +336,8 @@ compare_with_tables(const SceneParameters &scene,
               name == "lung_exposure" ? largest.run_error : unknown,
               may_exceed,
               may_be_less));
+    list.back().is_cut = is_cut && (name == "impulse" || name == "duration");
   };
-  const bool is_cut = result_of(fine, "probe_1_cut_off") > 0.;
   add("peak_overpressure", "Pa", answer->in_the_open.overpressure, merges);
   const bool may_add = explains(largest_rise(scene, layout, sides),
                                 values("impulse"),
@@ -394,6 +394,8 @@ compare_skin_with_tables(const SceneParameters &scene,
       may_exceed,
       may_be_less));
     list.back().place = gauge.name;
+    list.back().is_cut = result == "impulse" &&
+                         result_of(folder + "/blast", name + "cut_off") > 0.;
   };
   const bool merges =
     has_merged(reflections_at(scene, layout, sides, gauge.place));

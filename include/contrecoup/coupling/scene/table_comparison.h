@@ -34,6 +34,9 @@ struct ComparedQuantity
   /// ground, walls and body up to what these can add to the impulse.
   bool differs;
   std::string place = first_probe;
+  /// Whether that of the run is a lower limit, as the run ends before the
+  /// positive phase does.
+  bool is_cut = false;
 };
 
 
