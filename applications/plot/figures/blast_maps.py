@@ -15,8 +15,8 @@ from plot.readers import tables
 from plot.figures import injury_maps, style
 
 QUANTITIES = ("peak_overpressure", "impulse", "arrival", "duration")
-# Those that are lower limits at gauges where the field LIMITS is 1; gauges of
-# before 0.2.0 have none.
+# Those that are lower limits where the field LIMITS is 1; maps of before 0.2.0
+# have none.
 OF_PHASE = ("impulse", "duration")
 LIMITS = "cut_off"
 
@@ -36,7 +36,7 @@ def take_maps(found):
 
 def draw_maps(maps, path):
     """A panel for each quantity; grey where the blast has not arrived, hatched
-    where gauges have lower limits."""
+    where they are lower limits."""
     names = [name for name in QUANTITIES if name in maps]
     first = maps[names[0]]
     figure, axes = four_panels(first)

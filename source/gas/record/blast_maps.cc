@@ -5,6 +5,7 @@
 #include <contrecoup/base/system/timers.h>
 #include <contrecoup/gas/record/blast_maps.h>
 #include <contrecoup/gas/record/gas_measures.h>
+#include <contrecoup/gas/record/record_gaps.h>
 #include <contrecoup/gas/state/leaf_sampling.h>
 #include <contrecoup/gas/state/primitive.h>
 
@@ -33,6 +34,22 @@ std::array<double, 4> recorded_map_values(const BlastMeasures &measures)
 }
 
 
+const std::vector<std::pair<std::string, std::string>> map_fields = [] {
+  auto fields = map_quantities;
+  fields.emplace_back("cut_off", "-");
+  return fields;
+}();
+
+
+std::array<double, 5> map_field_values(const BlastMeasures &measures,
+                                       const double time)
+{
+  const auto [peak, impulse, arrival, duration] = recorded_map_values(measures);
+  const double is_cut = is_cut_off(measures, time) ? 1. : 0.;
+  return {{peak, impulse, arrival, duration, std::isnan(peak) ? peak : is_cut}};
+}
+
+
 template <int dim>
 void BlastMaps<dim>::declare_parameters(ParameterHandler &prm)
 {
@@ -42,8 +59,9 @@ void BlastMaps<dim>::declare_parameters(ParameterHandler &prm)
                "false",
                "Whether the fields hold peak overpressure, positive-phase "
                "impulse, arrival and duration of the blast at every point, "
-               "not a number where none has arrived; they cost some per cent "
-               "of the run time.");
+               "not a number where none has arrived, and cut_off, 1 where the "
+               "positive phase lasts; they cost some per cent of the run "
+               "time.");
 }
 
 

@@ -333,8 +333,7 @@ template <int dim>
 std::vector<std::pair<std::string, std::string>>
 ProbeRasters<dim>::quantities() const
 {
-  auto result = map_quantities;
-  result.emplace_back("cut_off", "-");
+  auto result = map_fields;
   if (has_injuries())
   {
     result.insert(
@@ -353,15 +352,8 @@ std::vector<double> ProbeRasters<dim>::values(const std::size_t i,
     return std::vector<double>(quantities().size(),
                                std::numeric_limits<double>::quiet_NaN());
   const BlastMeasures blast = probes_.records()[i].measures(time);
-  const auto measures = recorded_map_values(blast);
+  const auto measures = map_field_values(blast, time);
   std::vector<double> result(measures.begin(), measures.end());
-  const auto as_number = [](const bool is_known, const bool is_limit) {
-    return !is_known  ? std::numeric_limits<double>::quiet_NaN()
-           : is_limit ? 1.
-                      : 0.;
-  };
-  const bool is_cut = is_cut_off(blast, time);
-  result.push_back(as_number(blast.peak > 0., is_cut));
   if (!has_injuries())
     return result;
   const ExposureRecord &exposure = probes_.exposures()[i];
@@ -370,12 +362,14 @@ std::vector<double> ProbeRasters<dim>::values(const std::size_t i,
                                            probes_.ambient()[i],
                                            exposure,
                                            probes_.records()[i].running,
-                                           is_cut},
+                                           is_cut_off(blast, time)},
                                           body_mass_);
   result.insert(result.end(), injuries.begin(), injuries.end());
-  result.push_back(
-    as_number(blast.peak > 0. && !std::isnan(exposure.chest.largest_velocity),
-              exposure.chest.is_fastest_now()));
+  const bool is_known =
+    blast.peak > 0. && !std::isnan(exposure.chest.largest_velocity);
+  result.push_back(!is_known ? std::numeric_limits<double>::quiet_NaN()
+                   : exposure.chest.is_fastest_now() ? 1.
+                                                     : 0.);
   return result;
 }
 

@@ -148,14 +148,14 @@ namespace
       });
   }
 
-  /// Blast measures of point @p q of a leaf.
+  /// Values of map_fields at point @p q of a leaf.
   template <int dim>
-  std::array<double, 4> mapped(const BlastMaps<dim> &maps,
+  std::array<double, 5> mapped(const BlastMaps<dim> &maps,
                                const unsigned int leaf,
                                const unsigned int q,
                                const double time)
   {
-    return recorded_map_values(maps.record(leaf, q).measures(time));
+    return map_field_values(maps.record(leaf, q).measures(time), time);
   }
 } // namespace
 
@@ -285,7 +285,7 @@ GasOutput<dim>::field_names(const GasSnapshot<dim> &gas,
   if (!gas.scene.charges.empty())
     names.push_back({"burned", "-"});
   if (has_maps)
-    for (const auto &[name, unit] : map_quantities)
+    for (const auto &[name, unit] : map_fields)
       names.push_back({name, unit});
   if (gas.field.open_fractions() != nullptr)
     names.push_back({"open_fraction", "-"});
@@ -367,7 +367,7 @@ GasOutput<dim>::sample_plane(const Plane &plane,
     PointSampler<dim> sampler;
     sampler.reinit(raster.places, gas.mesh, gas.scene.points);
     const auto states = sampler.sample(gas.field, gas.scene.material);
-    const unsigned int n_maps = maps.empty() ? 0 : map_quantities.size();
+    const unsigned int n_maps = maps.empty() ? 0 : map_fields.size();
     std::vector<double> records;
     if (n_maps > 0)
       records = sampler.nearest(
@@ -408,8 +408,8 @@ GasOutput<dim>::sample_plane(const Plane &plane,
     });
     for (unsigned int k = 0; k < n_maps; ++k)
       add(result.maps,
-          map_quantities[k].first,
-          map_quantities[k].second,
+          map_fields[k].first,
+          map_fields[k].second,
           [&](const auto i) { return records[i * n_maps + k]; });
     return result;
   }

@@ -123,8 +123,25 @@ TEST(BlastRecord, WhatNobodySawStaysUnknown)
     EXPECT_TRUE(std::isnan(value));
   // Nor is anything known where no blast has arrived.
   for (const double value :
-       recorded_map_values(BlastRecord<double>().measures(2e-3)))
+       map_field_values(BlastRecord<double>().measures(2e-3), 2e-3))
     EXPECT_TRUE(std::isnan(value));
+}
+
+
+// In the precision of maps, too.
+TEST(BlastMaps, MarkPhasesThatTheEndCuts)
+{
+  ASSERT_EQ(map_fields.size(), 5U);
+  EXPECT_EQ(map_fields.back().first, "cut_off");
+  BlastRecord<float> record;
+  for (const auto &[pressure, time, mark] : {std::tuple{1e5F, 1.7e-3F, 1.},
+                                             std::tuple{4e4F, 1.8e-3F, 1.},
+                                             std::tuple{-1e3F, 1.9e-3F, 0.}})
+  {
+    record.add(pressure, time, 1e-4F, 100.F);
+    const double now = double(time) * (1. + 1e-8);
+    EXPECT_EQ(map_field_values(record.measures(now), now)[4], mark) << time;
+  }
 }
 
 

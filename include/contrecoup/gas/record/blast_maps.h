@@ -137,4 +137,12 @@ std::array<double, 4> map_values(const BlastMeasures &measures);
 
 /// The same of a record: not a number where no blast has arrived.
 std::array<double, 4> recorded_map_values(const BlastMeasures &measures);
+
+/// Names and units of the fields of maps: map_quantities, and "cut_off", which
+/// is 1 where impulse and duration are lower limits.
+extern const std::vector<std::pair<std::string, std::string>> map_fields;
+
+/// The values of map_fields of a record that ends at @p time [s].
+std::array<double, 5> map_field_values(const BlastMeasures &measures,
+                                       double time);
 } // namespace contrecoup::gas
