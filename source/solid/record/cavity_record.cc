@@ -161,9 +161,17 @@ CavityRecord<Real>::measures(const SolidBody<Real> &body) const
                          const double value) {
       list.push_back({tissue_column(name, tissue), unit, value});
     };
+    const auto mark = [&](const std::string &name, const bool is_cut) {
+      if (is_cut)
+        list.push_back({tissue_column(name, tissue) + "_cut_off", "-", 1.});
+    };
     add("largest_vapour_volume", "m^3", one.largest);
+    mark("largest_vapour_volume", one.largest > 0. && one.time == body.time());
     add("largest_vapour_volume_time", "s", one.time);
     add("collapse_pressure", "Pa", highest[0]);
+    // Cavities that are open will collapse.
+    mark("collapse_pressure",
+         one.volume > 0. || (highest[0] > 0. && highest[1] == body.time()));
     add("collapse_time", "s", highest[1]);
     add("collapse_x", "m", highest[2]);
     add("collapse_y", "m", highest[3]);

@@ -36,8 +36,9 @@ public:
 
   /// By tissue the largest volume of cavities over time, with its time, and
   /// the highest pressure of an element after it had held a cavity, with the
-  /// time and the centre of the undeformed element; zero without any.
-  /// Collective.
+  /// time and the centre of the undeformed element; zero without any. A volume
+  /// that grows, and a pressure that grows or while cavities are open, have a
+  /// "NAME_cut_off", which is 1. Collective.
   std::vector<NamedValue> measures(const SolidBody<Real> &body) const;
 
   /// Saves this rank's part to @p folder, or restores what any number of
