@@ -586,19 +586,20 @@ def light_persons(*more):
 
 
 def other_masses():
-    """Lungs that are judged by another mass than that of the person."""
-    body, gas = light_persons()
-    yield ("mass of a phantom", "biomechanics", body,
+    """Lungs that are judged by another mass than that of the body, which is no
+    phantom."""
+    head = entry("Mesh/Region head/Where", "x > 1") \
+        + entry("Mesh/Region head/Tissue", "brain")
+    yield ("mass of a mesh", "biomechanics", bar_of_lung() + head.encode(),
            "WARNING: body_mass: relative difference of the body's mass is "
            "estimated at ")
-    yield ("mass of a phantom in the gas", "blast", gas,
-           "WARNING: Loads/Body mass = 78.5 kg: lungs are judged as those of "
-           "such a person, and the phantom has 50 kg")
 
 
 def chosen_masses():
     """Masses that were chosen, or that say nothing of a person."""
     warning = "lungs are"
+    for name, run in zip(("biomechanics", "blast"), light_persons()):
+        yield f"mass of a phantom in {name}", name, run, warning
     yield "chosen mass", "biomechanics", light_persons(
         entry("Injury/Body mass", "60"))[0], warning
     yield "chosen mass in the gas", "blast", light_persons(

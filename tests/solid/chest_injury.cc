@@ -38,6 +38,25 @@ std::map<std::string, double> values(const ChestInjury &chest)
 }
 } // namespace
 
+TEST(ChestInjury, TakesTheMassOfAPhantomUnlessAnotherIsChosen)
+{
+  for (const auto &[text, phantom, mass, guesses] :
+       {std::tuple{"by body", 50., 50., false},
+        std::tuple{"by body", std::nan(""), 78.5, true},
+        std::tuple{"by body", 0.2, 1., false},
+        std::tuple{"78.5", 50., 78.5, false}})
+  {
+    dealii::ParameterHandler prm;
+    ChestInjury::declare_parameters(prm);
+    prm.set("Body mass", text);
+    ChestInjury chest;
+    chest.parse_parameters(prm, phantom);
+    EXPECT_EQ(chest.body_mass(), mass) << text;
+    EXPECT_EQ(chest.guesses_mass(), guesses) << text;
+  }
+}
+
+
 // Integrated independently: 6.020 m/s; the curve of Bowen has 941 kPa at 5 ms
 // for 70 kg.
 TEST(ChestInjury, OfFriedlandersWaveIsKnownWheneverItArrives)
@@ -48,7 +67,7 @@ TEST(ChestInjury, OfFriedlandersWaveIsKnownWheneverItArrives)
   for (const double start : {0., 0.002, 0.5})
   {
     ChestInjury chest;
-    chest.parse_parameters(prm);
+    chest.parse_parameters(prm, std::nan(""));
     follow_blast(chest, start);
     const auto found = values(chest);
     EXPECT_NEAR(found.at("injury_chest_wall_velocity"), 6.020, 2e-3) << start;
@@ -74,7 +93,7 @@ TEST(ChestInjury, CallsWhatTheEndCutsOffALowerLimit)
          {100, "10111"}, {700, "10001"}, {1100, "10000"}, {4001, "00000"}})
   {
     ChestInjury chest;
-    chest.parse_parameters(prm);
+    chest.parse_parameters(prm, std::nan(""));
     follow_blast(chest, 0., n_samples);
     std::string found;
     for (const InjuryMeasure &measure : chest.measures())
@@ -101,7 +120,7 @@ ChestInjury without_load()
   ChestInjury::declare_parameters(prm);
   prm.set("Chest load", "false");
   ChestInjury chest;
-  chest.parse_parameters(prm);
+  chest.parse_parameters(prm, std::nan(""));
   return chest;
 }
 } // namespace
@@ -131,8 +150,8 @@ TEST(ChestInjury, GoesOnFromWhatItFollowed)
   dealii::ParameterHandler prm;
   ChestInjury::declare_parameters(prm);
   ChestInjury whole, second;
-  whole.parse_parameters(prm);
-  second.parse_parameters(prm);
+  whole.parse_parameters(prm, std::nan(""));
+  second.parse_parameters(prm, std::nan(""));
   follow_blast(whole, 0.);
   const auto until_700 = [](const std::vector<double> &values) {
     return std::vector<double>(values.begin(), values.begin() + 700);

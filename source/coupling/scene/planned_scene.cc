@@ -142,7 +142,7 @@ void PlannedScene::find_body(dealii::ParameterHandler &prm)
   {
     body_mass_ =
       body_kind() == "phantom"
-        ? std::pow(read_double(prm, "Scale"), 3) * description_.reference_mass()
+        ? description_.phantom_mass()
         : estimate_mass(*body_, element_size, [this](const Tissue tissue) {
             return find_solid_material(
                      parameters_.tissues, tissue, parameters_.own_tissues)

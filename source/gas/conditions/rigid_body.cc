@@ -66,9 +66,7 @@ namespace
     const Section section(prm, "Body");
     BodyDescription description;
     description.parse_parameters(prm);
-    if (description.kind() == "phantom")
-      phantom_mass =
-        std::pow(read_double(prm, "Scale"), 3) * description.reference_mass();
+    phantom_mass = description.phantom_mass();
     return description.create();
   }
 } // namespace

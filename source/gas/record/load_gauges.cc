@@ -16,7 +16,7 @@
 #include <contrecoup/gas/record/thin_parts.h>
 #include <contrecoup/io/file/checked_file.h>
 #include <contrecoup/io/output/history_reader.h>
-#include <contrecoup/numerics/injury/load_injury.h>
+#include <contrecoup/numerics/injury/body_mass.h>
 
 #include <algorithm>
 #include <cmath>
@@ -116,14 +116,9 @@ void LoadGauges::declare_parameters(dealii::ParameterHandler &prm)
                    "used.");
   }
   const UsedWith used("Loads/Record or Probes/Injury = true");
-  declare_double(prm,
-                 "Body mass",
-                 exact(usual_body_mass),
-                 1.,
-                 500.,
-                 "kg",
-                 "Body mass for the lung exposure in gauge_injury.csv and "
-                 "probe_injury.csv; lighter persons are more vulnerable.");
+  declare_body_mass(prm,
+                    "Body mass for the lung exposure in gauge_injury.csv and "
+                    "probe_injury.csv; lighter persons are more vulnerable.");
 }
 
 
@@ -136,13 +131,7 @@ void LoadGauges::parse_parameters(dealii::ParameterHandler &prm,
 {
   places_.clear();
   radius_ = read_double(prm, "Gauge radius");
-  body_mass_ = read_double(prm, "Body mass");
-  // Another mass than the usual one was chosen.
-  if (body_mass_ == usual_body_mass &&
-      std::abs(body.phantom_mass() / body_mass_ - 1.) > 0.1)
-    log_line("WARNING: Loads/Body mass = " + brief(body_mass_, 3) +
-             " kg: lungs are judged as those of such a person, and the " +
-             "phantom has " + brief(body.phantom_mass(), 3) + " kg");
+  body_mass_ = read_body_mass(prm, body.phantom_mass());
   // The middle of a body that was scanned is not exactly a plane of symmetry.
   const double tolerance = 0.25 * radius_;
   for (const Landmark &landmark : body.landmarks())

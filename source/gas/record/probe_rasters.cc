@@ -14,6 +14,7 @@
 #include <contrecoup/gas/record/record_gaps.h>
 #include <contrecoup/io/file/checked_file.h>
 #include <contrecoup/io/file/plane_file.h>
+#include <contrecoup/numerics/injury/body_mass.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -106,7 +107,7 @@ void ProbeRasters<dim>::parse_parameters(ParameterHandler &prm,
   is_in_body_.clear();
   {
     const Section loads(prm, "Loads");
-    body_mass_ = read_double(prm, "Body mass");
+    body_mass_ = read_body_mass(prm, scene.body.phantom_mass());
   }
   std::vector<dealii::Point<dim>> places;
   const Section section(prm, "Probes");

@@ -13,6 +13,7 @@
 #include <contrecoup/gas/record/probe_set.h>
 #include <contrecoup/gas/record/record_gaps.h>
 #include <contrecoup/io/file/checked_file.h>
+#include <contrecoup/numerics/injury/body_mass.h>
 
 #include <cmath>
 #include <iomanip>
@@ -82,7 +83,7 @@ void ProbeSet<dim>::parse_parameters(ParameterHandler &prm,
 {
   {
     const Section loads(prm, "Loads");
-    body_mass_ = read_double(prm, "Body mass");
+    body_mass_ = read_body_mass(prm, scene.body.phantom_mass());
   }
   const Section section(prm, "Probes");
   probes_.place(read_points<dim>(prm, "Points"),

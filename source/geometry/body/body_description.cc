@@ -9,8 +9,10 @@
 #include <contrecoup/geometry/body/inserted_organs.h>
 #include <contrecoup/geometry/shape/composed_shapes.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <map>
 #include <sstream>
 
@@ -108,6 +110,12 @@ void BodyDescription::declare_parameters(dealii::ParameterHandler &prm)
   MeshBodyDescription::declare_parameters(prm);
 }
 
+double BodyDescription::phantom_mass() const
+{
+  return kind_ == "phantom" ? std::pow(scale_, 3) * phantom_.mass()
+                            : std::numeric_limits<double>::quiet_NaN();
+}
+
 void BodyDescription::parse_parameters(dealii::ParameterHandler &prm)
 {
   static const auto names = names_of_origin();
@@ -124,6 +132,7 @@ void BodyDescription::parse_parameters(dealii::ParameterHandler &prm)
   kind_ = prm.get("Kind");
   origin_ = prm.get("Origin");
   placement_.parse_parameters(prm);
+  scale_ = read_double(prm, "Scale");
   if (kind_ == "phantom")
   {
     const Section section(prm, "Phantom");

@@ -22,6 +22,7 @@
 #include <deal.II/grid/tria_description.h>
 
 #include <cmath>
+#include <limits>
 
 namespace contrecoup::solid
 {
@@ -170,6 +171,13 @@ HexMesh MeshDescription::create() const
                      brief(element_size_) + " m");
   set_regions(mesh);
   return mesh;
+}
+
+
+double MeshDescription::phantom_mass() const
+{
+  return kind_ == "body" ? body_.phantom_mass()
+                         : std::numeric_limits<double>::quiet_NaN();
 }
 
 

@@ -4,11 +4,13 @@
 #include <contrecoup/base/parameters/parameters.h>
 #include <contrecoup/base/parameters/selecting.h>
 #include <contrecoup/base/system/text.h>
+#include <contrecoup/numerics/injury/body_mass.h>
 #include <contrecoup/numerics/injury/chest_wall.h>
 #include <contrecoup/numerics/injury/load_injury.h>
 #include <contrecoup/solid/injury/chest_injury.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace contrecoup::solid
@@ -39,22 +41,19 @@ void ChestInjury::declare_parameters(dealii::ParameterHandler &prm)
                  "m",
                  "Radius around Chest within which the inward velocity of "
                  "boundary facets is averaged.");
-  declare_double(prm,
-                 "Body mass",
-                 exact(usual_body_mass),
-                 1.,
-                 500.,
-                 "kg",
-                 "Mass of the person, with which limits of lungs scale.");
+  declare_body_mass(prm,
+                    "Mass of the person, with which limits of lungs scale.");
 }
 
 
-void ChestInjury::parse_parameters(dealii::ParameterHandler &prm)
+void ChestInjury::parse_parameters(dealii::ParameterHandler &prm,
+                                   const double phantom_mass)
 {
   place_ = read_point<3>(prm, "Chest");
   reports_load_ = prm.get_bool("Chest load");
   radius_ = read_double(prm, "Chest radius");
-  mass_ = read_double(prm, "Body mass");
+  mass_ = read_body_mass(prm, phantom_mass);
+  guesses_mass_ = is_mass_of_body(prm) && std::isnan(phantom_mass);
 }
 
 

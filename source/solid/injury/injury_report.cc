@@ -9,7 +9,6 @@
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/io/file/binary_records.h>
 #include <contrecoup/io/file/checked_file.h>
-#include <contrecoup/numerics/injury/load_injury.h>
 #include <contrecoup/solid/body/stress_invariants.h>
 #include <contrecoup/solid/body/tissue_measures.h>
 #include <contrecoup/solid/injury/injury_report.h>
@@ -78,14 +77,15 @@ void InjuryReport<Real>::declare_parameters(ParameterHandler &prm)
 
 
 template <typename Real>
-void InjuryReport<Real>::parse_parameters(ParameterHandler &prm)
+void InjuryReport<Real>::parse_parameters(ParameterHandler &prm,
+                                          const double phantom_mass)
 {
   own_.parse_parameters(prm, "Injury");
   const Section section(prm, "Injury");
   active_ = prm.get_bool("Active");
   averaged_ = prm.get("Pressure") == peak_pressure_names()[0];
   interval_ = read_unsigned(prm, "Every steps");
-  chest_.parse_parameters(prm);
+  chest_.parse_parameters(prm, phantom_mass);
   if (!active_)
     own_.require({}, "Injury/Active = false");
   std::vector<std::string> taken = injury_measures_of({"head"});
@@ -125,12 +125,10 @@ std::vector<Assumption>
 InjuryReport<Real>::assumptions(const SolidBody<Real> &body) const
 {
   std::vector<Assumption> items = own_.assumptions();
-  // Of a part of a person the mass says nothing, and another mass than the
-  // usual one was chosen.
+  // Of a part of a person the mass says nothing.
   const bool is_person =
     has(Tissue::lung, body.mesh()) && has(Tissue::brain, body.mesh());
-  if (active_ && chest_.reports_load() && is_person &&
-      chest_.body_mass() == usual_body_mass)
+  if (active_ && chest_.reports_load() && is_person && chest_.guesses_mass())
     items.push_back(
       {"body_mass",
        "lungs are those of a person of " + brief(chest_.body_mass(), 3) + " kg",

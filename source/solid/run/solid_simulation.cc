@@ -98,7 +98,7 @@ void SolidSimulation<Real>::parse_parameters(ParameterHandler &prm)
   initial_.parse_parameters(prm);
   reference_.parse_parameters(prm);
   probes_.parse_parameters(prm);
-  injury_.parse_parameters(prm);
+  injury_.parse_parameters(prm, mesh_description_.phantom_mass());
   peaks_.parse_parameters(prm);
   audit_.parse_parameters(prm);
   const Section section(prm, "Time");

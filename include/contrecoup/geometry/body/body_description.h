@@ -51,6 +51,9 @@ public:
     return phantom_.mass();
   }
 
+  /// The same after scaling; NaN for other bodies.
+  double phantom_mass() const;
+
   const std::string &kind() const
   {
     return kind_;
@@ -69,6 +72,7 @@ private:
   ImageDescription from_image_;
   MeshBodyDescription from_mesh_;
   std::string origin_;
+  double scale_ = 1.;
   Placement placement_;
 };
 } // namespace contrecoup

@@ -7,9 +7,6 @@
 
 namespace contrecoup
 {
-/// Of the person where an entry "Body mass" does not say another [kg].
-constexpr double usual_body_mass = 78.5;
-
 /// Pressure pulse on the skin.
 struct PressurePulse
 {

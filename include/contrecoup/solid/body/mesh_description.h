@@ -37,6 +37,9 @@ public:
   /// Tissues of layers in which the elements of create() leave holes.
   std::set<Tissue> thin_tissues(const HexMesh &mesh) const;
 
+  /// Mass of the phantom that the body is [kg]; NaN for other bodies.
+  double phantom_mass() const;
+
   /// Estimates the number of elements of create().
   double estimate_elements() const;
 

@@ -24,7 +24,8 @@ public:
   static void declare_parameters(dealii::ParameterHandler &prm);
 
   /// Reads the entries of the current subsection.
-  void parse_parameters(dealii::ParameterHandler &prm);
+  /// @param phantom_mass of the body [kg]; NaN: it is no phantom
+  void parse_parameters(dealii::ParameterHandler &prm, double phantom_mass);
 
   /// Point at which the chest pressure is read [m].
   const dealii::Point<3> &place() const
@@ -48,6 +49,12 @@ public:
   double body_mass() const
   {
     return mass_;
+  }
+
+  /// Whether neither an entry nor a phantom tells body_mass().
+  bool guesses_mass() const
+  {
+    return guesses_mass_;
   }
 
   /// Names of the measures.
@@ -90,6 +97,7 @@ private:
   bool reports_load_ = true;
   double radius_ = 0.;
   double mass_ = 0.;
+  bool guesses_mass_ = false;
   std::vector<double> times_;
   std::vector<double> pressures_;
   std::vector<double> wall_velocities_;

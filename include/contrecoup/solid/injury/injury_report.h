@@ -12,6 +12,7 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -24,7 +25,11 @@ class InjuryReport
 {
 public:
   static void declare_parameters(dealii::ParameterHandler &prm);
-  void parse_parameters(dealii::ParameterHandler &prm);
+
+  /// @param phantom_mass of the body [kg]; NaN: it is no phantom
+  void parse_parameters(
+    dealii::ParameterHandler &prm,
+    double phantom_mass = std::numeric_limits<double>::quiet_NaN());
 
   /// Whether recording is active.
   bool active() const
