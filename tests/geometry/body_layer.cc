@@ -83,6 +83,9 @@ TEST(BodyLayer, HasHolesWhereElementsAreTooLarge)
   EXPECT_EQ(layer_pieces_line(cord, 2, 0.01, "Mesh/Element size"),
             "spinal cord of 11 mm (Body/Phantom) is in 2 pieces of elements; "
             "Mesh/Element size of at most 6.3 mm closes it");
+  EXPECT_EQ(layer_pieces_line(cord, 0, 0.016, "Mesh/Element size"),
+            "WARNING: spinal cord of 11 mm (Body/Phantom) has no element; "
+            "Mesh/Element size of at most 6.3 mm closes it");
   const BodyLayer layer = layers_of({"Kind=shape",
                                      "Shape/Shape=layered head",
                                      "Shape/Layers=0.003, 0.0065, 0.005"})

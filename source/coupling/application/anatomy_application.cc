@@ -162,8 +162,9 @@ namespace coupling
                                          parameters_.tissue_set, tissue, {})));
       }
 
-      /// Tells of a body in pieces, and of layers that are thick enough for
-      /// elements and yet in pieces, unless they are thick organs.
+      /// Tells of a body in pieces, of layers without elements, and of layers
+      /// that are thick enough for elements and yet in pieces, unless they are
+      /// thick organs.
       void warn_of_pieces(const BodyReport &report) const
       {
         // Hexahedra of one's own bring the warning as a remark.
@@ -173,13 +174,19 @@ namespace coupling
           log_line(line);
         const double size = parameters_.element_size;
         for (const BodyLayer &layer : parameters_.layers)
-          for (const ReportRow &row : report.rows)
-            if (row.kind == "part" && row.components > 1 &&
-                layer.thickness >= size && row.name == layer.part &&
-                (layer.thickness != layer.usual ||
-                 has_holes(layer, row.components, size)))
-              log_line(remark_line(layer_pieces_line(
-                layer, row.components, size, "Mesh/Element size")));
+        {
+          const auto row = std::find_if(
+            report.rows.begin(), report.rows.end(), [&](const ReportRow &one) {
+              return one.kind == "part" && one.name == layer.part;
+            });
+          const unsigned int n_pieces =
+            row == report.rows.end() ? 0 : row->components;
+          if (n_pieces == 0 || (n_pieces > 1 && layer.thickness >= size &&
+                                (layer.thickness != layer.usual ||
+                                 has_holes(layer, n_pieces, size))))
+            log_line(remark_line(
+              layer_pieces_line(layer, n_pieces, size, "Mesh/Element size")));
+        }
       }
 
       std::string path(const std::string &name) const

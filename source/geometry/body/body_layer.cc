@@ -258,9 +258,12 @@ std::string layer_pieces_line(const BodyLayer &layer,
                               const double element_size,
                               const std::string &entry)
 {
-  return (layer.thickness != layer.usual ? "WARNING: " : "") + layer.part +
-         " of " + millimetres(layer.thickness) + " (" + layer.entry +
-         ") is in " + std::to_string(n_pieces) + " pieces of elements" +
+  return (n_pieces == 0 || layer.thickness != layer.usual ? "WARNING: " : "") +
+         layer.part + " of " + millimetres(layer.thickness) + " (" +
+         layer.entry + ") " +
+         (n_pieces == 0
+            ? "has no element"
+            : "is in " + std::to_string(n_pieces) + " pieces of elements") +
          (has_large_elements(layer, element_size)
             ? "; " + remedy({layer}, entry, "it")
             : "");

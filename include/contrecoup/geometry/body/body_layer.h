@@ -53,8 +53,8 @@ uncertain_layer_lines(const std::vector<BodyLayer> &layers,
                       const std::string &entry);
 
 /// The line about a layer whose elements are in that many pieces, with a size
-/// that closes it where elements are too large: a warning if its thickness is
-/// the user's.
+/// that closes it where elements are too large: a warning if it has no element
+/// or its thickness is the user's.
 std::string layer_pieces_line(const BodyLayer &layer,
                               unsigned int n_pieces,
                               double element_size,
