@@ -140,16 +140,28 @@ TEST(CostForecast, RefinesLayersOfAnAdaptiveMesh)
   EXPECT_DOUBLE_EQ(extrapolate_cells(100., 90., 3, 3, 1), 90.);
 }
 
-// Steps of a fine charge: 4440, 10864, and 182752 at 8 times as many cells.
-TEST(CostForecast, GrowsWithThePowerOfThreeTrials)
+// Steps of 0.3 kg of PETN, whose centre is the hotter, the finer its cells.
+TEST(CostForecast, FollowsAConvergingShock)
 {
-  const double power = agreed_power(1879., 4440., 10864., 1, 1);
-  EXPECT_NEAR(power, std::log2(4440. / 1879.), 1e-12);
-  EXPECT_NEAR(extrapolate(4440., 10864., 3, 0., power) / 182752., 1., 0.3);
-  EXPECT_DOUBLE_EQ(agreed_power(1., 8., 128., 2, 4), 1.);
-  EXPECT_DOUBLE_EQ(agreed_power(1., 8., 512., 2, 4), 1.5);
-  EXPECT_DOUBLE_EQ(agreed_power(2., 3., 100., 1, 1), 1.);
-  EXPECT_DOUBLE_EQ(agreed_power(0., 3., 100., 1, 1), 1.);
+  const std::vector<double> found{
+    1879., 4440., 10864., 28347., 71053., 182752.};
+  for (const unsigned int last : {2, 3, 4})
+  {
+    const Powers powers =
+      powers_of_steps(found[last - 2], found[last - 1], found[last], 1, 1);
+    const unsigned int levels = found.size() - 1 - last;
+    const double steps = extrapolate(
+      found[last - 1], found[last], levels, powers.low, powers.high);
+    EXPECT_NEAR(steps / found.back(), 1., 0.1) << levels;
+  }
+  const auto largest = [](const double first, const double middle) {
+    return powers_of_steps(first, middle, 128., 2, 4).high;
+  };
+  EXPECT_DOUBLE_EQ(largest(1., 8.), 1.);
+  EXPECT_DOUBLE_EQ(largest(1., 4.), 1.);
+  EXPECT_DOUBLE_EQ(largest(1., 2.5), 1.);
+  EXPECT_DOUBLE_EQ(largest(0.25, 2.), 1.5);
+  EXPECT_DOUBLE_EQ(largest(0., 3.), 1.);
 }
 
 TEST(CostForecast, ApproachesALimit)

@@ -70,20 +70,19 @@ namespace io
       return !trial.stages.empty() && !is_constant(trial.stages.back());
     }
 
-    /// Largest power of refinement with which steps of a stage of the last
-    /// trial grow.
-    double power_of_steps(const std::vector<Trial> &trials,
-                          const TrialStage &stage)
+    /// Powers of refinement with which steps of a stage of the last trial grow.
+    Powers powers_of_steps(const std::vector<Trial> &trials,
+                           const TrialStage &stage)
     {
       const std::size_t n = trials.size();
       if (n < 3)
-        return 1.;
+        return {};
       const Trial &first = trials[n - 3], &middle = trials[n - 2];
-      return agreed_power(stage_like(first, stage).steps,
-                          stage_like(middle, stage).steps,
-                          stage.steps,
-                          first.levels - middle.levels,
-                          middle.levels - trials.back().levels);
+      return io::powers_of_steps(stage_like(first, stage).steps,
+                                 stage_like(middle, stage).steps,
+                                 stage.steps,
+                                 first.levels - middle.levels,
+                                 middle.levels - trials.back().levels);
     }
 
     /// The last two trials, and the solver's estimate of the scene's cells.
@@ -115,9 +114,9 @@ namespace io
           cells_before, cells_last, last.levels, 0., stage.dimension, gap());
       }
 
-      double
-      grown(double Trial::*number, const double low, const double high) const
+      double grown(double Trial::*number, const Powers &powers) const
       {
+        const auto [low, high] = powers;
         return io::extrapolate(
           before.*number, last.*number, last.levels, low, high, gap());
       }
@@ -160,11 +159,10 @@ namespace io
       const double dimension = trials.last.stages.back().dimension;
       return bytes_of_cells(trials, &Trial::volume_bytes, cells) +
              trials.last.plane_bytes +
-             trials.grown(&Trial::surface_bytes, dimension - 1., dimension) +
+             trials.grown(&Trial::surface_bytes, {dimension - 1., dimension}) +
              trials.grown(
                &Trial::table_bytes,
-               0.,
-               power_of_steps(trials.all, trials.last.stages.back())) +
+               powers_of_steps(trials.all, trials.last.stages.back())) +
              std::max(trials.before.other_bytes, trials.last.other_bytes);
     }
 
@@ -178,15 +176,15 @@ namespace io
       {
         const TrialStage &earlier = stage_like(trials.before, stage);
         dimension = stage.dimension;
-        const double low = earlier.steps > 0. ? 0. : 1.;
+        const Powers powers = powers_of_steps(trials.all, stage);
         const double steps =
           earlier.largest_cells == stage.largest_cells
             ? extrapolate_to_limit(earlier.steps, stage.steps, n, gap)
             : io::extrapolate(earlier.steps,
                               stage.steps,
                               n,
-                              low,
-                              power_of_steps(trials.all, stage),
+                              earlier.steps > 0. ? powers.low : 1.,
+                              powers.high,
                               gap);
         cells = trials.cells(stage, mean_cells(earlier), mean_cells(stage));
         result.cells = std::round(
@@ -201,8 +199,8 @@ namespace io
            ? extrapolate_to_limit(
                trials.before.unknowns_per_cell, last.unknowns_per_cell, n, gap)
            : last.unknowns_per_cell));
-      result.seconds += trials.grown(&Trial::setup_seconds, 0., dimension) +
-                        trials.grown(&Trial::output_seconds, 0., dimension);
+      result.seconds += trials.grown(&Trial::setup_seconds, {0., dimension}) +
+                        trials.grown(&Trial::output_seconds, {0., dimension});
       if (!last.stages.empty())
         result.output =
           output_of(trials, cells) +

@@ -52,17 +52,20 @@ namespace io
     return last + (last - before) * shrinkage / (1. - shrinkage) * rest;
   }
 
-  double agreed_power(const double first,
-                      const double middle,
-                      const double last,
-                      const unsigned int gap_before,
-                      const unsigned int gap)
+  Powers powers_of_steps(const double first,
+                         const double middle,
+                         const double last,
+                         const unsigned int gap_before,
+                         const unsigned int gap)
   {
+    constexpr double converging_shock = 1.4;
     if (!(first > 0.) || !(middle > 0.))
-      return 1.;
-    return std::max(1.,
-                    std::min(std::log2(middle / first) / gap_before,
-                             std::log2(last / middle) / gap));
+      return {};
+    // The first trial may be of a mesh that shows nothing yet.
+    const double agreed = std::min(std::log2(middle / first) / gap_before,
+                                   std::log2(last / middle) / gap);
+    return agreed > 1. ? Powers{1., std::max(agreed, converging_shock)}
+                       : Powers{};
   }
 
   double grow_with_cells(const double cells_before,

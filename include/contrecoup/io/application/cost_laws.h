@@ -43,15 +43,26 @@ namespace io
                               unsigned int levels,
                               unsigned int gap = 1);
 
-  /// Power of refinement with which a quantity grows in three trials, @p
-  /// gap_before and @p gap levels apart: the smaller of both rates, as the
-  /// first may be of a mesh that shows nothing yet, but at least 1. Steps grow
-  /// faster than by the CFL condition alone where finer cells have faster gas.
-  double agreed_power(double first,
-                      double middle,
-                      double last,
-                      unsigned int gap_before,
-                      unsigned int gap);
+  /// Powers of refinement between which a quantity grows, see extrapolate().
+  struct Powers
+  {
+    double low = 0., high = 1.;
+  };
+
+  /**
+   * Powers with which steps grow after three trials, @p gap_before and @p gap
+   * levels apart. By the CFL condition the largest is 1. Where both pairs of
+   * trials have grown faster, a shock has met at the centre of the charge: the
+   * sound speed there grows like that of the converging shock, like r^-0.39 in
+   * air (Guderley, 1942), with r down to the cell size, and stays until the
+   * end. Steps up to that moment grow with 1, those after it with 1.4, or with
+   * the rate of both pairs if that is larger still.
+   */
+  Powers powers_of_steps(double first,
+                         double middle,
+                         double last,
+                         unsigned int gap_before,
+                         unsigned int gap);
 
   /// A quantity of a mesh of @p cells, linear in the cells, from those of two
   /// trials; but it grows at least like the given power of the cells, because
