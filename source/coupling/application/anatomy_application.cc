@@ -236,8 +236,7 @@ namespace coupling
       }
 
       /// Bytes on disk, as measured for the phantom with elements of 3.5 to 10
-      /// mm: smoothed positions compress less. Pictures have a colour for each
-      /// part.
+      /// mm: smoothed positions compress less. Each part has a colour.
       double estimate_output(const HexMeshSize &size) const
       {
         const bool is_smooth = parameters_.smoothing.iterations > 0;
@@ -262,19 +261,20 @@ namespace coupling
 
       CostEstimate estimate() const
       {
-        double n_cubes = 0.;
-        if (!body_->own_mesh())
-          n_cubes =
-            make_grid(surface_->bounding_box(), parameters_.element_size)
-              .labels.size();
+        const double n_cubes =
+          body_->own_mesh()
+            ? 0.
+            : make_grid(surface_->bounding_box(), parameters_.element_size)
+                .labels.size();
         const HexMeshSize size = estimate_size(n_cubes);
         require_elements(size.cells > 0.);
         CostEstimate cost;
         cost.cells = size.cells;
-        // What libraries and the body have taken already, then labels and node
-        // numbers of the grid, and cells.
-        cost.memory = peak_memory(MPI_COMM_SELF) + 5. * n_cubes +
-                      (parameters_.levels > 0 ? 265. : 115.) * cost.cells;
+        // Of the process so far, of writing, of labels and node numbers, cells.
+        const double per_cell = (parameters_.levels > 0 ? 265. : 135.) +
+                                (parameters_.smoothing.iterations ? 30. : 0.);
+        cost.memory = peak_memory(MPI_COMM_SELF) + 3e6 + 5. * n_cubes +
+                      per_cell * cost.cells;
         cost.seconds = 1. + (parameters_.draw ? 4. : 0.) + 3e-6 * cost.cells;
         cost.output = estimate_output(size);
         return cost;

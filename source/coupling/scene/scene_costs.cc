@@ -3,8 +3,10 @@
 
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/log.h>
+#include <contrecoup/base/system/memory.h>
 #include <contrecoup/coupling/scene/scene_costs.h>
 
+#include <algorithm>
 #include <optional>
 
 namespace contrecoup::coupling
@@ -34,6 +36,17 @@ namespace
       return {};
     }
   }
+
+  /// Stages begin with what the forecasts of all have left in memory.
+  void keep_memory(StageCosts &costs, Collective &collective)
+  {
+    forget_peak_memory();
+    const double here = peak_memory(MPI_COMM_SELF),
+                 all = peak_memory(collective.communicator());
+    for (auto &[name, cost] : costs)
+      if (cost.memory > 0.)
+        cost.memory = std::max(cost.memory, name == "anatomy" ? here : all);
+  }
 } // namespace
 
 
@@ -55,6 +68,7 @@ StageCosts estimate_costs(std::vector<SceneTask> &tasks,
       break;
     costs.emplace_back(task.name(), *cost);
   }
+  keep_memory(costs, collective);
   if (costs.empty() || report_bytes == 0.)
     return costs;
   CostEstimate drawing;
