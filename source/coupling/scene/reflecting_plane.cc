@@ -3,6 +3,7 @@
 
 #include <contrecoup/coupling/scene/model_bias.h>
 #include <contrecoup/coupling/scene/reflecting_plane.h>
+#include <contrecoup/numerics/injury/wave_reflection.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,44 +12,6 @@
 namespace contrecoup::coupling
 {
 using dealii::Point;
-
-namespace
-{
-  /// Speed of a shock by its overpressure in parts of the ambient pressure
-  /// (Rankine-Hugoniot) [m/s].
-  double front_speed(const double over)
-  {
-    return SceneLayout::sound_speed * std::sqrt(1. + 6. / 7. * over);
-  }
-
-  /// Speed of a shock of the same overpressure in the flow behind that one
-  /// [m/s].
-  double following_speed(const double over)
-  {
-    const double squared = 1. + 6. / 7. * over;
-    const double compression = 6. * squared / (squared + 5.);
-    return front_speed(over) * (1. - 1. / compression) +
-           std::sqrt((1. + over) / compression) *
-             front_speed(over / (1. + over));
-  }
-
-  /// Earliest arrival of a reflection at the distance @p way from the charge's
-  /// image; the plane is at the distance @p plane on this way [m].
-  double earliest_arrival(const IncidentWave &wave,
-                          const double plane,
-                          const double way)
-  {
-    constexpr unsigned int n_steps = 200;
-    const double step = (way - plane) / n_steps;
-    double time = wave.value(BlastQuantity::arrival, plane);
-    for (unsigned int i = 0; i < n_steps; ++i)
-      time += step / following_speed(wave.value(BlastQuantity::overpressure,
-                                                plane + (i + 0.5) * step) /
-                                     SceneLayout::air_pressure);
-    return time;
-  }
-} // namespace
-
 
 Point<3> ReflectingPlane::image(const Point<3> &charge) const
 {
@@ -112,22 +75,15 @@ Reflection reflection_at(const SceneParameters &scene,
                          const ReflectingPlane &plane,
                          const Point<3> &place)
 {
-  // Error of the tables' arrivals.
-  constexpr double accuracy = 0.05;
-  const IncidentWave wave = layout.incident_wave(scene);
   const double direct = place.distance(layout.charge);
-  const double mirrored = place.distance(plane.image(layout.charge));
-  const double before = plane.distance(layout.charge);
-  const double to_plane =
-    std::clamp(mirrored * before / (before + plane.distance(place)),
-               std::min(layout.charge_radius, mirrored),
-               mirrored);
-  const double arrival = wave.value(BlastQuantity::arrival, direct);
-  const double delay = earliest_arrival(wave, to_plane, mirrored) - arrival;
+  const ReflectionWay way{
+    direct, plane.distance(layout.charge), plane.distance(place)};
+  const ReflectionDelay delay =
+    reflection_delay(layout.incident_wave(scene), way);
   return {plane.name,
-          std::max(delay, 0.),
-          (mirrored - direct) / SceneLayout::sound_speed,
-          delay <= accuracy * arrival};
+          delay.least,
+          (way.mirrored() - direct) / SceneLayout::sound_speed,
+          delay.merges};
 }
 
 
@@ -160,15 +116,18 @@ double open_reflection_at_body(const SceneParameters &scene,
                                const SceneLayout &layout,
                                const std::vector<ChosenSide> &sides)
 {
-  double way = std::numeric_limits<double>::infinity();
+  double earliest = std::numeric_limits<double>::infinity();
   for (const ReflectingPlane &plane : open_planes(layout, sides))
   {
     const Point<3> image = plane.image(layout.charge);
-    way = std::min(way, image.distance(nearest_place(layout.body, image)));
+    std::vector<Point<3>> places{nearest_place(layout.body, image)};
     if (layout.probe)
-      way = std::min(way, image.distance(*layout.probe));
+      places.push_back(*layout.probe);
+    for (const Point<3> &place : places)
+      earliest =
+        std::min(earliest, layout.earliest_return(scene, image, place));
   }
-  return std::isfinite(way) ? layout.point_source(scene).arrival(way) : way;
+  return earliest;
 }
 
 

@@ -251,13 +251,17 @@ std::string reflection_warning(const PlannedScene &scene, const TaskText &blast)
         found = gauge.nearest(image);
     return found;
   };
-  const gas::ReflectedPath<3> path =
-    gas::reflected_paths<3>(
-      layout.charge, corners.first, corners.second, open, nearest)
-      .front();
+  const auto paths = gas::reflected_paths<3>(
+    layout.charge, corners.first, corners.second, open, nearest);
+  const auto arrival_by = [&](const gas::ReflectedPath<3> &path) {
+    return layout.earliest_return(scene.parameters(), path.image, path.gauge);
+  };
+  const gas::ReflectedPath<3> path = *std::min_element(
+    paths.begin(), paths.end(), [&](const auto &one, const auto &other) {
+      return arrival_by(one) < arrival_by(other);
+    });
   const double end_time = scene.parameters().end_time;
-  const double arrival =
-    layout.point_source(scene.parameters()).arrival(path.length);
+  const double arrival = arrival_by(path);
   if (arrival >= end_time)
     return "";
   return "WARNING: reflection: from the charge by the open side " +

@@ -6,6 +6,7 @@
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/coupling/scene/model_bias.h>
 #include <contrecoup/coupling/scene/scene_layout.h>
+#include <contrecoup/numerics/injury/wave_reflection.h>
 
 #include <boost/math/constants/constants.hpp>
 
@@ -165,6 +166,26 @@ ExpectedBlast SceneLayout::point_source(const SceneParameters &scene) const
   return {(is_surface_burst ? IncidentWave::surface_mass : 1.) * scene.energy(),
           air_pressure,
           air_density};
+}
+
+
+double SceneLayout::earliest_return(const SceneParameters &scene,
+                                    const Point<3> &image,
+                                    const Point<3> &place) const
+{
+  const double way = image.distance(place);
+  // From above, the way begins at the ground.
+  const double behind = image[2] == charge[2]
+                          ? place[2]
+                          : std::abs(image[2] - place[2]) + charge[2];
+  const bool merges =
+    is_surface_burst ||
+    (has_ground() &&
+     reflection_delay(incident_wave(scene), {way, charge[2], behind}).merges);
+  return earliest_front((merges ? energy_with_image : 1.) * scene.energy(),
+                        air_pressure,
+                        air_density,
+                        way);
 }
 
 

@@ -3,7 +3,8 @@
 
 #include <contrecoup/base/system/coordinates.h>
 #include <contrecoup/gas/run/modelling_plan.h>
-#include <contrecoup/numerics/injury/incident_wave.h>
+#include <contrecoup/numerics/injury/expected_blast.h>
+#include <contrecoup/numerics/injury/wave_reflection.h>
 
 #include <algorithm>
 #include <cmath>
@@ -180,37 +181,78 @@ double ModellingPlan<dim>::expected_front(const double time) const
 template <int dim>
 double ModellingPlan<dim>::expected_reach(const double time) const
 {
-  return energy > 0. && is_spherical ? merged_blast().radius(time) : unknown;
+  if (!(energy > 0.) || !is_spherical)
+    return unknown;
+  const double whole =
+    energy_of_wave(expected_front(time), [&](const unsigned int wall) {
+      double least = std::abs(place_of_side(wall) - centre[wall / 2]);
+      for (const auto &gauge : gauges)
+        least =
+          std::min(least, std::abs(place_of_side(wall) - gauge[wall / 2]));
+      return least;
+    });
+  // Of the time of the point source, some per cent.
+  constexpr double step = 1.002;
+  double reach =
+    ExpectedBlast(whole, ambient.pressure, ambient.density).radius(time);
+  while (earliest_front(
+           whole, ambient.pressure, ambient.density, step * reach) < time)
+    reach *= step;
+  return reach;
 }
 
 
 template <int dim>
-ExpectedBlast ModellingPlan<dim>::merged_blast() const
+double ModellingPlan<dim>::place_of_side(const unsigned int side) const
 {
-  // Of TNT [J/kg].
-  constexpr double energy_per_mass = 4.5e6;
+  return (side % 2 == 0 ? lower : upper)[side / 2];
+}
+
+
+template <int dim>
+double ModellingPlan<dim>::energy_of_wave(
+  const double way,
+  const std::function<double(unsigned int)> &behind) const
+{
   const bool merges =
-    std::any_of(walls.begin(), walls.end(), [&](const unsigned int side) {
-      const unsigned int d = side / 2;
-      const double gap =
-        std::abs((side % 2 == 0 ? lower : upper)[d] - centre[d]);
+    std::any_of(walls.begin(), walls.end(), [&](const unsigned int wall) {
+      const unsigned int d = wall / 2;
+      const double gap = std::abs(place_of_side(wall) - centre[d]);
       // The energy is in full space where the centre is on the wall.
       return gap > 1e-9 * (upper[d] - lower[d]) &&
-             IncidentWave::is_surface_burst(
-               energy / energy_per_mass, gap, OpenSides<dim>::never);
+             merges_with_reflection(
+               energy, ambient.pressure, {way, gap, behind(wall)});
     });
-  return {(merges ? IncidentWave::surface_mass : 1.) * energy,
-          ambient.pressure,
-          ambient.density};
+  return (merges ? energy_with_image : 1.) * energy;
+}
+
+
+template <int dim>
+double ModellingPlan<dim>::earliest_return(const ReflectedPath<dim> &path) const
+{
+  const double whole =
+    energy_of_wave(path.length, [&](const unsigned int wall) {
+      const unsigned int d = wall / 2;
+      const double place = place_of_side(wall);
+      // By a side opposite to the wall, the way begins beside the wall.
+      return d == path.side / 2 ? std::abs(path.image[d] - path.gauge[d]) +
+                                    std::abs(place - centre[d])
+                                : std::abs(place - path.gauge[d]);
+    });
+  return earliest_front(whole, ambient.pressure, ambient.density, path.length);
 }
 
 
 template <int dim>
 void ModellingPlan<dim>::expect_return(Assumption &item) const
 {
-  const ReflectedPath<dim> first = paths_by_open_sides().front();
-  item.value = merged_blast().arrival(first.length);
-  item.quantity = first_reflection + place_of(first.gauge);
+  double earliest = OpenSides<dim>::never;
+  for (const ReflectedPath<dim> &path : paths_by_open_sides())
+    if (const double time = earliest_return(path); time < earliest)
+    {
+      item.value = earliest = time;
+      item.quantity = first_reflection + place_of(path.gauge);
+    }
 }
 
 
@@ -245,12 +287,12 @@ void ModellingPlan<dim>::measure_return(const Measurements &measured,
     const double reached =
       is_reached ? measured.side_arrivals[path.side] : measured.time;
     const double back = reached + (path.length - path.to_side) / sound_speed;
-    if (is_reached && expected == OpenSides<dim>::never && energy > 0. &&
-        is_spherical)
-    {
-      expected = merged_blast().arrival(path.length);
-      disturbed = path.gauge;
-    }
+    if (is_reached && energy > 0. && is_spherical)
+      if (const double time = earliest_return(path); time < expected)
+      {
+        expected = time;
+        disturbed = path.gauge;
+      }
     if (back >= item.value)
       continue;
     item.value = back;

@@ -25,7 +25,7 @@ std::vector<ReflectedPath<dim>> reflected_paths(
     image[d] = 2. * place - source[d];
     const dealii::Point<dim> gauge = nearest(image);
     paths.push_back(
-      {side, gauge, image.distance(gauge), std::abs(place - source[d])});
+      {side, image, gauge, image.distance(gauge), std::abs(place - source[d])});
   }
   std::stable_sort(
     paths.begin(), paths.end(), [](const auto &first, const auto &second) {

@@ -57,6 +57,13 @@ bool IncidentWave::is_surface_burst(const double tnt_mass,
 }
 
 
+double IncidentWave::charge_radius() const
+{
+  constexpr double radius = 0.053; // of a kilogram
+  return radius * of_pressure_.scaling_length();
+}
+
+
 std::string IncidentWave::tables_for(const bool is_surface_burst)
 {
   return is_surface_burst ? "hemispherical" : "spherical";

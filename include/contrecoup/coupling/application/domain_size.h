@@ -14,9 +14,10 @@ namespace contrecoup::coupling
  * outwards, by whole coarse leaves, until the time to first reflection from an
  * open side at any probe, those of lines and planes too, and at the body is
  * later than the end time. Sets the entries "Lower corner", "Upper corner" and
- * "Coarse leaves", and Size to given. The front is that of ExpectedBlast with
- * the energy of the scene on a coarse mesh; the path of a reflection is that
- * from a mirror at the side. Logs the result. Collective.
+ * "Coarse leaves", and Size to given. The front is that of
+ * ModellingPlan::expected_reach() with the energy of the scene on a coarse
+ * mesh; the path of a reflection is that from a mirror at the side. Logs the
+ * result. Collective.
  * @param scene all entries of application blast, with or without a first stage
  * @throws InputError without probes and body, for meshes other than boxes, and
  * for scenes whose blast cannot be predicted.

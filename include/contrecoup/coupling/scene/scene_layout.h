@@ -112,6 +112,13 @@ struct SceneLayout
   /// free air.
   ExpectedBlast point_source(const SceneParameters &scene) const;
 
+  /// Earliest arrival of the front at a place from the charge's image behind an
+  /// open side; the front may have merged with its reflection by the ground
+  /// [s].
+  double earliest_return(const SceneParameters &scene,
+                         const dealii::Point<3> &image,
+                         const dealii::Point<3> &place) const;
+
   /// Where the wave in the air is asked for: by the user, and at the probe.
   std::vector<GaugeRaster> gauges(const SceneParameters &scene) const;
 

@@ -7,8 +7,8 @@
 #include <contrecoup/gas/record/open_sides.h>
 #include <contrecoup/gas/run/reflected_path.h>
 #include <contrecoup/gas/state/gas_state.h>
-#include <contrecoup/numerics/injury/expected_blast.h>
 
+#include <functional>
 #include <limits>
 #include <vector>
 
@@ -81,8 +81,8 @@ public:
   /// Expected distance of the blast front from its centre at @p time [m]; NaN
   /// if unknown.
   double expected_front(const double time) const;
-  /// The same of the front and the reflection by walls that have merged: what
-  /// reflections from open sides cannot outrun [m].
+  /// Largest distance of the front, with the reflection by walls that it has
+  /// merged with: what reflections from open sides cannot outrun [m].
   double expected_reach(const double time) const;
 
   std::vector<Assumption> plan() const;
@@ -96,9 +96,15 @@ public:
 private:
   /// All items without values.
   std::vector<Assumption> items() const;
-  /// That of the front and of the reflection by walls close to the centre,
-  /// which make one wave.
-  ExpectedBlast merged_blast() const;
+  /// Energy of the wave at the distance @p way from the centre: that of charge
+  /// and image where it has merged with its reflection by a wall; @p behind
+  /// gives how far the way goes on from a wall [m].
+  double
+  energy_of_wave(double way,
+                 const std::function<double(unsigned int wall)> &behind) const;
+  /// Earliest time at which the reflection on a way may come [s].
+  double earliest_return(const ReflectedPath<dim> &path) const;
+  double place_of_side(unsigned int side) const;
   /// The shortest one to a gauge by each open side.
   std::vector<ReflectedPath<dim>> paths_by_open_sides() const;
   /// Sets time and place of the first reflection that the blast is expected to

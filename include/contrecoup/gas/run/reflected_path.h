@@ -16,6 +16,7 @@ template <int dim>
 struct ReflectedPath
 {
   unsigned int side;
+  dealii::Point<dim> image; ///< of the source behind the side [m]
   dealii::Point<dim> gauge; ///< that the way leads to [m]
   double length;            ///< of the whole way [m]
   double to_side;           ///< from the source straight to the side [m]

@@ -55,6 +55,9 @@ public:
   /// of @p tnt_mass [kg], @p height above rigid ground [m], at @p distance [m].
   static bool is_surface_burst(double tnt_mass, double height, double distance);
 
+  /// Radius of a sphere of TNT whose pressures these are [m].
+  double charge_radius() const;
+
   /// The set of KingeryBulmash for a burst.
   static std::string tables_for(bool is_surface_burst);
 
