@@ -163,7 +163,7 @@ void RunOutputs::mark_lower_limits()
           mark(limit);
         // The force of a contact that lasts may still grow.
         if (ends_with(begin, contact))
-          for (const char *const name : {"force", "area"})
+          for (const char *const name : {"force", "force_of_step", "area"})
             mark(begin.substr(0, begin.size() - contact.size()) + "peak_" +
                  contact + name);
       }

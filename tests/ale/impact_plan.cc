@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <map>
 
 using namespace contrecoup;
@@ -254,10 +255,68 @@ TEST(ContactRecord, KnowsNoEndOfAContactThatLasts)
     EXPECT_EQ(find("contact_cut_off"), lasts ? 1. : 0.);
     EXPECT_NEAR(find("contact_impulse"), 10., 1e-12);
     EXPECT_EQ(answer_lines(values, true, "")[0],
-              lasts ? "Impact at 3 m/s: largest contact force so far 50 N at "
-                      "200 ms, contact from 100 ms, which lasts when the run "
-                      "ends"
-                    : "Impact at 3 m/s: largest contact force 50 N at 200 ms, "
-                      "contact from 100 ms to 300 ms");
+              lasts ? "Impact at 3 m/s: largest contact force so far 50 N, a "
+                      "mean over 50 us, at 200 ms, contact from 100 ms, which "
+                      "lasts when the run ends"
+                    : "Impact at 3 m/s: largest contact force 50 N, a mean "
+                      "over 50 us, at 200 ms, contact from 100 ms to 300 ms");
   }
+}
+
+TEST(ContactRecord, TellsAForceThatDoesNotGrowAsStepsGetSmaller)
+{
+  const double pi = std::acos(-1.), duration = 1e-3, caught = 0.2e-3;
+  for (const double size : {8e-7, 4e-7, 1e-7, 3e-5})
+  {
+    ContactRecord record;
+    // Half a sine of 7 kN, and 2 mN s of a node that meets the plane.
+    bool is_caught = false;
+    double time = 0.;
+    while (time < 2. * duration)
+    {
+      ContactMeasures push;
+      time += size;
+      push.force = std::max(0., 7e3 * std::sin(pi * time / duration));
+      if (!is_caught && time > caught)
+      {
+        push.force += 2e-3 / size;
+        is_caught = true;
+      }
+      record.add(push, time, size);
+    }
+    std::map<std::string, double> found;
+    for (const NamedValue &value : record.values(time))
+      found[value.name] = value.value;
+    const double middle = 0.5 * duration;
+    EXPECT_NEAR(found["peak_contact_force"], 7e3, 15.) << size;
+    EXPECT_NEAR(found["peak_contact_force_time"], middle, 0.02 * duration)
+      << size;
+    EXPECT_EQ(found["peak_contact_force_of_step"], record.step_force);
+    if (size < 2e-7)
+    {
+      EXPECT_GT(found["peak_contact_force_of_step"], 2e4);
+      EXPECT_NEAR(found["peak_contact_force_of_step_time"], caught, 2. * size);
+    }
+  }
+}
+
+TEST(ContactRecord, TakesTheMeanOfAShortPushOverTheWholeSpan)
+{
+  ContactRecord record;
+  ContactMeasures push;
+  // 10 us with 100 N, in the middle of long and of short steps without.
+  record.add(push, 1.3e-3, 1.3e-3);
+  push.force = 100.;
+  for (unsigned int i = 1; i <= 4; ++i)
+    record.add(push, 1.3e-3 + i * 2.5e-6, 2.5e-6);
+  push.force = 0.;
+  record.add(push, 2e-3, 6.9e-4);
+  EXPECT_NEAR(record.mean_force.value, 20., 1e-9);
+  EXPECT_NEAR(record.mean_force.time, 1.3e-3, 2.5e-5);
+  // That of another push counts alone.
+  push.force = 60.;
+  record.add(push, 2.01e-3, 1e-5);
+  EXPECT_NEAR(record.mean_force.value, 20., 1e-9);
+  record.add(push, 2.03e-3, 2e-5);
+  EXPECT_NEAR(record.mean_force.value, 36., 1e-9);
 }

@@ -249,7 +249,8 @@ TEST_F(FinishedStudy, MarksWhatTheEndOfARunCutsOff)
 TEST_F(FinishedStudy, MarksAContactThatLasts)
 {
   read({"Study/Columns=results.contact_end; results.contact_impulse; "
-        "results.peak_contact_force; results.contrecoup_pressure"});
+        "results.peak_contact_force; results.peak_contact_force_of_step; "
+        "results.contrecoup_pressure"});
   for (Task &task : tasks_)
     std::ofstream(task.run_folder() + "/summary.json") << nlohmann::json{
       {"errors", {{"density_L1", 1.}}},
@@ -257,12 +258,13 @@ TEST_F(FinishedStudy, MarksAContactThatLasts)
        {{"contact_end", {{"value", nullptr}, {"unit", "s"}}},
         {"contact_impulse", {{"value", 9.18}, {"unit", "N s"}}},
         {"peak_contact_force", {{"value", 9510.}, {"unit", "N"}}},
+        {"peak_contact_force_of_step", {{"value", 9990.}, {"unit", "N"}}},
         {"contact_cut_off", {{"value", 1.}, {"unit", "-"}}},
         {"contrecoup_pressure", {{"value", -41700.}, {"unit", "Pa"}}},
         {"contrecoup_pressure_cut_off", {{"value", 1.}, {"unit", "-"}}}}}};
   const std::string text =
     to_markdown(parameters_, evaluate(parameters_, tasks_));
-  EXPECT_NE(text.find("|  | ≥ 9.18 | ≥ 9510 | ≤ -4.17e+04 |"),
+  EXPECT_NE(text.find("|  | ≥ 9.18 | ≥ 9510 | ≥ 9990 | ≤ -4.17e+04 |"),
             std::string::npos)
     << text;
 }

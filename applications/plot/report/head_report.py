@@ -118,7 +118,11 @@ def _reached(run, quantity, layer, take):
 
 
 def largest_force(run):
-    """Of the whole head, of running means; and when."""
+    """The largest mean over 50 µs, of the whole head, and when: of all steps, or
+    of the rows of the history where the summary has that of a step alone."""
+    if run.contact("peak_contact_force_of_step") is not None:
+        return (run.contact("peak_contact_force"),
+                run.contact("peak_contact_force_time"))
     force = head_figures.smoothed(run, run.history["contact_force"])
     index = int(np.argmax(force))
     return float(force[index]), float(run.history["time"][index])
@@ -131,12 +135,10 @@ def answer(run, judged):
     if run.planes:
         text[0] += f" hits a rigid plane at {_impact_speed(run)}."
         rebound, end = run.rebound(), run.last_contact()
-        force, when = (run.contact(f"peak_contact_force{part}")
-                       for part in ("", "_time"))
-        if force is None:
-            force, when = largest_force(run)
+        force, when = largest_force(run)
         text.append(
-            f"The plane pushes with {page.quantity(force, 'N')} at most, after "
+            f"The plane pushes with {page.quantity(force, 'N')} at most (mean "
+            f"over {page.quantity(head_figures.SPAN, 's')}), after "
             f"{page.milliseconds(when)}; " + (
                 "the head does not rebound until the end of the run"
                 if rebound is None else
@@ -343,11 +345,10 @@ def contact(run, folder):
         rows = [
             ("contact begins", "–",
              page.milliseconds(run.contact("contact_begin"))),
-            ("largest contact force of a step", limit + page.quantity(
-                run.contact("peak_contact_force"), "N"),
-             page.milliseconds(run.contact("peak_contact_force_time"))),
-            (f"largest mean over {page.quantity(head_figures.SPAN, 's')}",
+            ("largest contact force, mean over "
+             + page.quantity(head_figures.SPAN, 's'),
              limit + page.quantity(force, "N"), page.milliseconds(when)),
+            *_force_of_step(run, limit),
             ("largest contact area", limit + page.number(
                 1e4 * run.contact("peak_contact_area")) + " cm²",
              "–"),
@@ -371,13 +372,24 @@ def contact(run, folder):
                "the area in contact.",
                "Contact force and area of the whole head, from history.csv. "
                "Nodes reach and leave the plane one by one, hence the steps "
-               "of the area."),
+               "of the area. Each gives up its momentum within a single step, "
+               "whose force grows as steps get smaller; the head feels the "
+               "mean."),
         figure(folder, "momentum", head_figures.draw_velocity(run),
                "Curves of mean velocity along the plane's normal over time, "
                "of the whole head and its solid layers.",
                "Momentum along the plane's normal over mass, of the whole "
                "head and of its solid layers: the head rebounds where it "
                "changes its sign.")]
+
+
+def _force_of_step(run, limit):
+    """The row of the largest force of a single step, if the summary has it."""
+    force, when = (run.contact(f"peak_contact_force_of_step{part}")
+                   for part in ("", "_time"))
+    return [] if force is None else [
+        ("largest contact force of a single step",
+         limit + page.quantity(force, "N"), page.milliseconds(when))]
 
 
 def histories(run, folder):

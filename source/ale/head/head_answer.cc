@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/ale/head/head_answer.h>
+#include <contrecoup/ale/lagrange/largest_mean.h>
 #include <contrecoup/base/system/text.h>
 
 #include <cmath>
@@ -29,7 +30,8 @@ namespace
       return line + ": nothing touches a plane until the end";
     const bool lasts = values.count("contact_cut_off") > 0;
     line += ": largest contact force " + std::string(lasts ? "so far " : "") +
-            brief(values.at("peak_contact_force"), 3) + " N at " +
+            brief(values.at("peak_contact_force"), 3) + " N, a mean over " +
+            brief(1e6 * LargestMean::span, 3) + " us, at " +
             milliseconds(values.at("peak_contact_force_time")) +
             ", contact from " + milliseconds(values.at("contact_begin"));
     return line + (lasts ? ", which lasts when the run ends"

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <contrecoup/ale/lagrange/contact_planes.h>
+#include <contrecoup/ale/lagrange/largest_mean.h>
 #include <contrecoup/base/run/simulation.h>
 
 #include <algorithm>
@@ -19,11 +20,14 @@ struct ContactRecord
 {
   double begin = -1.;     ///< first time with a force; negative: none yet [s]
   double end = -1.;       ///< last time with a force [s]
-  double peak_force = 0.; ///< [N]
-  double peak_time = 0.;  ///< of that force [s]
-  double peak_area = 0.;  ///< [m^2]
-  double impulse = 0.;    ///< integral of the force [N s]
-  double speed = -1.;     ///< mean of all matter at the start; negative: unset
+  LargestMean mean_force; ///< which the body feels [N]
+  /// Largest force of a step [N]: a node that meets the plane in it loses a
+  /// momentum that does not depend on the size of the step.
+  double step_force = 0.;
+  double step_force_time = 0.; ///< [s]
+  double peak_area = 0.;       ///< [m^2]
+  double impulse = 0.;         ///< integral of the force [N s]
+  double speed = -1.; ///< mean of all matter at the start; negative: unset
   double normal_speed = 0.; ///< towards the first plane [m/s]
 
   /// Takes the motion at the start, of @p momentum and @p mass.
@@ -44,6 +48,7 @@ struct ContactRecord
   /// Adds a step of size @p step that ended at @p time [s].
   void add(const ContactMeasures &contact, const double time, const double step)
   {
+    mean_force.add(contact.force, time, step);
     if (!(contact.force > 0.))
       return;
     if (begin < 0.)
@@ -51,10 +56,10 @@ struct ContactRecord
     end = time;
     impulse += contact.force * step;
     peak_area = std::max(peak_area, contact.area);
-    if (contact.force > peak_force)
+    if (contact.force > step_force)
     {
-      peak_force = contact.force;
-      peak_time = time;
+      step_force = contact.force;
+      step_force_time = time;
     }
   }
 
@@ -75,13 +80,16 @@ struct ContactRecord
       list = {{"impact_speed", "m/s", speed},
               {"normal_impact_speed", "m/s", normal_speed}};
     if (begin >= 0.)
-      list.insert(list.end(),
-                  {{"contact_begin", "s", begin},
-                   {"contact_end", "s", lasts(now) ? unknown : end},
-                   {"contact_impulse", "N s", impulse},
-                   {"peak_contact_force", "N", peak_force},
-                   {"peak_contact_force_time", "s", peak_time},
-                   {"peak_contact_area", "m^2", peak_area}});
+      list.insert(
+        list.end(),
+        {{"contact_begin", "s", begin},
+         {"contact_end", "s", lasts(now) ? unknown : end},
+         {"contact_impulse", "N s", impulse},
+         {"peak_contact_force", "N", mean_force.value},
+         {"peak_contact_force_time", "s", std::max(begin, mean_force.time)},
+         {"peak_contact_force_of_step", "N", step_force},
+         {"peak_contact_force_of_step_time", "s", step_force_time},
+         {"peak_contact_area", "m^2", peak_area}});
     if (lasts(now))
       list.push_back({"contact_cut_off", "-", 1.});
     return list;
