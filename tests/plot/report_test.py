@@ -621,7 +621,8 @@ class ReportTest(unittest.TestCase):
         self.expect(text_of(made.page),
                     "Survives (death by lung injury: less than 0.1 %); eardrums",
                     "free-field load over the 50 % lethality load 0.432",
-                    "beside the body, 1.27 m above the ground, in the open",
+                    "beside the body, 2.34 m from the charge, 1.27 m above the "
+                    "ground, in the open",
                     "probability of death by lung injury less than 0.1 %")
         # The reflected load on the skin then has no verdict of its own.
         judged = {entry.name: entry.has_verdict
@@ -1061,15 +1062,17 @@ class ReportTest(unittest.TestCase):
         folder = self.copy_without("blast/fields", "biomechanics/fields.pvd")
         effect = tiny_scene.EFFECT
         change_json(folder, "scene.json", lambda facts: (
-            facts.update(table_comparison=[]), facts["tables"].update(trunk={
-                "distance": 2.34, "in_the_open": effect,
+            facts.update(table_comparison=[]),
+            facts["tables"].update(body_mass=78.5, trunk={
+                "distance": 2.51, "in_the_open": effect,
                 "before_a_wall": {**effect, "lung_lethality": 0.0421}})))
         self.expect(text_of(Made(folder).page),
-                    "in the open, as far as the nearest skin tables peak "
-                    "overpressure 314 kPa load over the 50 % lethality load at "
+                    "in the open, as far as the nearest skin, 2.34 m from the "
+                    "charge tables peak overpressure 314 kPa load over the 50 % lethality load at "
                     "the trunk 0.410 (0.410 before a wall) probability of death "
                     "by lung injury at the trunk less than 0.1 % (4.2 % before a "
-                    "wall)", "No probe beside the body has the wave of this run")
+                    "wall)", "No probe beside the body has the wave of this run",
+                    "78.5 kg, at the trunk's 2.51 m. No probe")
         change_json(folder, "scene.json",
                     lambda facts: facts["tables"].update(answer=None,
                                                          trunk=None))
@@ -1093,7 +1096,7 @@ class ReportTest(unittest.TestCase):
                             ("arrival", "s", 1.8e-3, 1.9e-3, False))],
                     plan=[{"item": "resolution", "entry": "Scene/Cell size"}]),
                 facts["tables"].update(trunk={
-                    "distance": 2.34, "in_the_open": {
+                    "distance": 2.51, "in_the_open": {
                         "lung_lethality": in_the_open},
                     "before_a_wall": {"lung_lethality": before_a_wall}})))
             words = text_of(Made(folder).page)
@@ -1103,9 +1106,10 @@ class ReportTest(unittest.TestCase):
         page, lines = told(0.19, 0.9999)
         for text in page, lines:
             self.expect(text, "Survival is uncertain (death by lung injury: less "
-                        "than 0.1 % by this run, 19 to 100 % by the tables)",
+                        "than 0.1 % by this run, 19 to 100 % by the tables at the "
+                        "trunk's 2.51 m)",
                         "death with a probability of 19 % in the open and more "
-                        "than 99 % before a wall at the distance of the trunk, "
+                        "than 99 % before a wall at the trunk's 2.51 m, "
                         "where this run has less than 0.1 %. Trust neither "
                         "before a run with finer cells (Scene/Cell size). At "
                         "the chest, the reflected peak overpressure is 60 % "
@@ -1272,16 +1276,17 @@ class ReportTest(unittest.TestCase):
                 curve="given", of=0.) for side, value in
                     zip(("left", "right"), values)]
             for ear in ears:
-                ear.tables = tables
+                ear.tables, ear.tables_place = tables, "at the ear's 2.13 m"
             return str(verdict._ears(ears)).replace("\u00a0", " ")
-        by_tables = "by the tables 64 % in the open, 98 % before a wall"
+        by_tables = "by the tables, at the ear's 2.13 m, 64 % in the open, " \
+            "98 % before a wall"
         self.assertEqual(told(0.17, 0.24), "eardrums probably rupture (left 17 % "
                          f"by this run; right 24 % by this run; {by_tables})")
         self.assertEqual(told(0.2, 0.2), "eardrums probably rupture (20 % by "
                          f"this run, {by_tables})")
         self.assertEqual(told(0.2, 0.2, tables=(0.3, 0.45)),
-                         "eardrums may rupture (20 %, by the tables 30 % in the "
-                         "open, 45 % before a wall)")
+                         "eardrums may rupture (20 %, by the tables, at the ear's "
+                         "2.13 m, 30 % in the open, 45 % before a wall)")
 
     def test_ears_by_the_tables(self):
         """What the tables contradict has neither the words nor the mark of good
@@ -1289,7 +1294,7 @@ class ReportTest(unittest.TestCase):
         known = injury_thresholds.KNOWN["ear_rupture"]
         scene = types.SimpleNamespace(
             loads=lambda: None, fact=lambda name: None, measures=dict,
-            gauge_injury=dict, facts={})
+            gauge_injury=dict, facts={"tables": {"ears": {"distance": 2.126}}})
         for answer, kind in ((0.2, "mid"), (0.045, "good"), (None, "good")):
             scene.table_answer = lambda name, *_, low=answer: \
                 (low, low and 0.98)
@@ -1300,7 +1305,8 @@ class ReportTest(unittest.TestCase):
             self.assertEqual(verdict._ears([ear]).kind, kind)
             self.assertEqual(injury_table.severity(ear), kind)
             row = injury_table._verdict(ear)
-            self.assertEqual("by the tables 20" in row, kind == "mid")
+            self.assertEqual("s 2.13\u00a0m, 20" in row,
+                             kind == "mid")
             self.assertIs(verdict.other_ears([ear]),
                           ear if kind == "mid" else None)
 
@@ -1828,8 +1834,8 @@ class ReportTest(unittest.TestCase):
         self.assertEqual(made.code, 0, made.errors)
         self.expect(
             text_of(made.page), "Survival not judged (the run ends before the "
-            "positive phase does; death by lung injury by the tables: 2.1 to "
-            "73 %)", "eardrums not judged (≥ 1.0 %, by the "
+            "positive phase does; death by lung injury by the tables at the "
+            "trunk's 2.34 m: 2.1 to 73 %)", "eardrums not judged (≥ 1.0 %, by the "
             "tables 95 %); lungs not judged (the run ends too early)",
             "≥ 1.20 m/s", "≥ 0.100", "not judged: the run ends too early",
             "The run ends too early, after 6 ms: rupture probability of the left "

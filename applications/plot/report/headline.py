@@ -52,13 +52,16 @@ class Lead:
             "body_mass"))
         self.lungs = "" if mass is None or not any(
             row.get("name") in LUNGS for row in _rows(scene)) else (
-                f"; lungs of a person of {page.given(float(f'{mass:.3g}'), 'kg')}")
+                f"; lungs of a person of {page.given(float(f'{mass:.3g}'), 'kg')}"
+                + (_at_trunk(scene) and f",{_at_trunk(scene)}"))
         self.explaining = reflections.explaining(scene)
         self.reflections = reflections.note(scene) \
             + reflections.note_on_people(scene)
         self.heights = _heights(scene)
         probe = scene.facts.get("probe_beside_body")
-        self.height = f"{_height(probe)} above the ground, " if probe else ""
+        self.distance = _distance(scene)
+        self.where = self.distance + (
+            f", {_height(probe)} above the ground" if probe else "")
         left_out = ([] if reflections.is_surface_burst(scene) else ["ground"]) \
             + ["body"] + (["walls"] if reflections.walls(scene) else [])
         self.left_out = ("" if len(left_out) > 1 else "the ") \
@@ -89,7 +92,7 @@ class Lead:
                    f"{self.charge}, without {self.left_out}{self.lungs}. ")
         if not self.has_probe:
             return page.table(
-                ("in the open, as far as the nearest skin",
+                (f"in the open, as far as the nearest skin{self.distance}",
                  *(("this run",) if self.gauge else ()), "tables"),
                 self.compared,
                 caption + "No probe beside the body has the wave of this run "
@@ -100,7 +103,7 @@ class Lead:
                     "what differs by more is marked." if self.gauge else "."),
                 numbers=(1, 2) if self.gauge else (1,), data=self.file)
         return page.table(
-            (f"beside the body, {self.height}in the open", "this run", "tables"),
+            (f"beside the body{self.where}, in the open", "this run", "tables"),
             self.compared, caption + "±: errors of the numerics, where they are "
             "known, and of the tables; what differs by more is marked, unless "
             f"{self.explaining} may explain it. {self.reflections}{self.heights}",
@@ -125,6 +128,13 @@ class Lead:
                 "Warnings of the coarser run alone, which estimates the error",
                 page.bullets(told[True])))
         return page.tag("div", *parts, kind="doubts") if parts else ""
+
+
+def _distance(scene):
+    """How far from the charge the tables are asked, unless that is said."""
+    distance = scene.fact("distance")
+    return "" if distance is None else \
+        f", {page.quantity(distance, 'm')} from the charge"
 
 
 def _height(place):
@@ -441,7 +451,8 @@ def _tables(scene, judged):
         low, high = map(ear.shown, ear.tables)
         chances.append(f"the {ear.short_title()} is {low} in the open"
                        + (f" and {high} before a wall" if high != low else "")
-                       + f" at its distance, where this run has {ear.shown()}")
+                       + (ear.tables_place and f" {ear.tables_place}")
+                       + f", where this run has {ear.shown()}")
     if chances:
         parts.append("By the tables, " + page.joined(chances) + ".")
     return [" ".join(parts)] if parts else []
@@ -456,8 +467,8 @@ def _entry_of_cells(scene):
 
 def _at_trunk(scene):
     """Where the tables are asked for lungs, unless that is at the probe."""
-    return " at the distance of the trunk" \
-        if injury_table.lungs_by(scene) == "skin" else ""
+    return "" if injury_table.lungs_by(scene) != "skin" else " " + (
+        injury_table.at_trunk(scene) or "at the distance of the trunk")
 
 
 def _verdicts(scene, judged):

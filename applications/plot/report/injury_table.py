@@ -5,7 +5,7 @@
 import math
 
 from plot.analysis import person
-from plot.readers import stage
+from plot.readers import files, stage
 from plot.report import (error_estimate, injury_thresholds, least_phases,
                          load_impulses, page)
 from plot.report.injury_thresholds import Known
@@ -106,20 +106,36 @@ def ask_tables(scene, judged):
     """Gives eardrums and lungs what the tables have at their distance, where no
     bounds of their kind reach that."""
     ears = [entry for entry in judged if entry.name.startswith("ear_rupture_")]
-    answers = [(ears, ears_of_tables(scene, ears))] if ears else []
+    answers = [(ears, ears_of_tables(scene, ears), at_distance(
+        scene, "ears"))] if ears else []
     load = "lung_exposure_air" if lungs_by(scene) == "probe" else \
         SKIN_NAMES["lung_exposure", loaded_side(scene)]
     for name, key in (("lung_lethality",) * 2, ("lung_exposure", load)):
         entry = find(judged, key)
         if entry is not None:
-            answers.append(([entry], lungs_of_tables(scene, name)))
-    for entries, known in answers:
+            answers.append(([entry], lungs_of_tables(scene, name),
+                            at_trunk(scene)))
+    for entries, known, place in answers:
         bounds = [entry.bounds() or 2 * (entry.value,) for entry in entries]
         if None in known or any(high >= known[0] and low <= known[1]
                                 for low, high in bounds):
             continue
         for entry in entries:
-            entry.tables = known
+            entry.tables, entry.tables_place = known, place
+
+
+def at_distance(scene, part):
+    """Where the tables are asked for the "ears" or the "trunk", as "at the ear's
+    2.13 m"; "" where that is at the nearest skin."""
+    there = (scene.facts.get("tables") or {}).get(part) or {}
+    distance = files.as_number(there.get("distance"))
+    return "" if distance is None else \
+        f"at the {part.removesuffix('s')}'s {page.quantity(distance, 'm')}"
+
+
+def at_trunk(scene):
+    """The same for what tells whether lungs kill, see lungs_by()."""
+    return at_distance(scene, "trunk") if lungs_by(scene) == "skin" else ""
 
 
 def ears_of_tables(scene, ears):

@@ -27,6 +27,7 @@ class Judged:
         self.curve, self.of, self.is_cut = curve, of, is_cut
         self.is_coarser_cut = is_coarser_cut
         self.least_part, self.tables = least_part, None
+        self.tables_place = ""  # at what distance, in words
         self.is_fraction = bool(curve) or self.title.startswith("fraction ")
         # A lower limit that exceeds no threshold yet says nothing.
         self.is_open = is_cut and not self.exceeded()
@@ -143,7 +144,8 @@ class Judged:
         if self.tables is None:
             return ""
         low, high = map(self.shown, self.tables)
-        return "by the tables " + (
+        place = f", {self.tables_place}," if self.tables_place else ""
+        return f"by the tables{place} " + (
             low if low == high else f"{low} in the open, {high} before a wall")
 
     def is_certain(self):

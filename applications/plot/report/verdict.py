@@ -126,7 +126,7 @@ def _life(scene, judged):
         return Verdict("life", "survival is uncertain", "bad",
                        f"death by lung injury: {entry.shown()} by this run"
                        f"{_by_the_numerics(entry)}, {_death_by_tables(scene)} "
-                       "by the tables",
+                       f"by the tables{_at_trunk(scene)}",
                        entry)
     wall = injury_table.find(judged, "chest_wall_mean")
     if words == LIFE[0][1] and (
@@ -150,7 +150,14 @@ def _not_judged(scene):
     known = _death_by_tables(scene)
     return Verdict("life", UNJUDGED, "none",
                    "the run ends before the positive phase does"
-                   + (known and f"; death by lung injury by the tables: {known}"))
+                   + (known and f"; death by lung injury by the tables"
+                   f"{_at_trunk(scene)}: {known}"))
+
+
+def _at_trunk(scene):
+    """Where the tables are asked for lungs, "" at the nearest skin."""
+    place = injury_table.at_trunk(scene)
+    return f" {place}" if place else ""
 
 
 def _death_by_tables(scene):
@@ -301,7 +308,7 @@ def _by_tables(scene, judged, lungs):
         return lungs
     told = POSSIBLE if lungs.words == SOUND else SOUND
     return Verdict(lungs.subject, lungs.words, "mid", "; ".join(filter(
-        None, (lungs.detail, f"by the tables {told}, load "
+        None, (lungs.detail, f"by the tables{_at_trunk(scene)} {told}, load "
                f"{page.number(found[1])}{found[2]}"))), lungs.entry)
 
 

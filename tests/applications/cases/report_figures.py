@@ -536,15 +536,19 @@ def _without_tables(text, files):
     tables = files.scene.get("tables", {})
     answer = tables.get("answer")
     ears = tables.get("ears") or answer
-    told = re.search(r"[,;] by the tables ((?:less than |more than )?[\d.]+ %)"
+    told = re.search(r"[,;] by the tables(?:, at the ear's ([\d.]+ m),)? "
+                     r"((?:less than |more than )?[\d.]+ %)"
                      r"(?: in the open, (.*? %) before a wall)?(?=\))", text)
     if told:
-        for shown, place in zip(told.groups(), ("in_the_open",
-                                                "before_a_wall")):
-            require_chance(shown or told[1], ears[place]["eardrum_rupture"],
+        if tables.get("ears"):
+            require_same(told[1], ears["distance"], "distance of the ear")
+        for shown, place in zip(told.groups()[1:], ("in_the_open",
+                                                    "before_a_wall")):
+            require_chance(shown or told[2], ears[place]["eardrum_rupture"],
                            "eardrums by the tables")
         text = text.replace(told[0], "")
-    told = re.search(r"; death by lung injury by the tables: ([^()]*?%)(?=\))", text)
+    told = re.search(r"; death by lung injury by the tables(?: at the trunk's "
+                     r"[\d.]+ m)?: ([^()]*?%)(?=\))", text)
     if told:
         require_chance(told[1], answer["in_the_open"]["lung_lethality"],
                        "death by the tables")
@@ -555,7 +559,8 @@ def _without_tables(text, files):
                                                == "eardrum_rupture"):
             require_chance(match[0], row["tables"], row["name"])
             require_chance(match[1], row["run"], row["name"])
-    possible = re.search(r"by the tables lung injury possible, load ([\d.]+)"
+    possible = re.search(r"by the tables(?: at the trunk's [\d.]+ m)? lung "
+                         r"injury possible, load ([\d.]+)"
                          "(?: (in the open|before a wall))?", text)
     if possible:
         at_trunk = tables.get("trunk") or {}
