@@ -107,7 +107,7 @@ void prepare_cost(const std::string &folder)
 {
   setenv("XDG_CACHE_HOME", folder.c_str(), 1);
   const io::CostCache cache("a scene");
-  cache.write({{1., 2., 3., 4., 5., 6.}});
+  cache.write({{1., 2., 3., 4., 5., 6., ""}});
   std::filesystem::copy_file(cache.file(), folder + "/cost.json");
 }
 

@@ -200,6 +200,36 @@ TEST(CostCache, DoesWithoutAFolder)
   EXPECT_FALSE(cache.read());
 }
 
+// What a stage has by nature none of needs no reason.
+TEST(Plan, SaysWhyFiguresOfTheCostAreBlank)
+{
+  CostEstimate mesh, blast, body;
+  mesh.cells = 1000.;
+  mesh.memory = mesh.seconds = mesh.output = 1e6;
+  body = mesh;
+  body.unknowns = 3000.;
+  body.seconds = body.output = 0.;
+  body.gap = "it deforms";
+  blast.gap = "trial runs do not tell";
+  const auto lines =
+    cost_lines({{"anatomy", mesh}, {"blast", blast}, {"body", body}});
+  ASSERT_EQ(lines.size(), 8U);
+  EXPECT_EQ(lines[5],
+            "  blast: cells, unknowns, steps, memory, wall time and output are "
+            "unknown: trial runs do not tell");
+  EXPECT_EQ(lines[6],
+            "  body: steps, wall time and output are unknown: it deforms");
+  EXPECT_EQ(lines[7],
+            "  all: memory, wall time and output are unknown with those of "
+            "blast, body");
+  blast = body;
+  blast.steps = blast.seconds = blast.output = 10.;
+  body.output = body.steps = 10.;
+  EXPECT_EQ(cost_lines({{"blast", blast}}).size(), 2U);
+  EXPECT_EQ(cost_lines({{"body", body}}).back(),
+            "  body: wall time is unknown: it deforms");
+}
+
 namespace
 {
 Assumption item(const double value, const bool is_lower_limit)

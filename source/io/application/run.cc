@@ -12,6 +12,7 @@
 #include <contrecoup/io/application/check_file.h>
 #include <contrecoup/io/application/cost_forecast.h>
 #include <contrecoup/io/application/run.h>
+#include <contrecoup/io/application/trial_limits.h>
 #include <contrecoup/io/output/pictures.h>
 #include <contrecoup/io/output/summary.h>
 #include <contrecoup/io/run/plan_table.h>
@@ -120,6 +121,16 @@ namespace io
                "trial runs do not show";
       return "";
     }
+
+    /// Why trial runs leave figures unknown, where they do.
+    std::string gap_of_trials(const ApplicationDescription &description)
+    {
+      const double budget = description.trial_share * trial_seconds();
+      return budget > 0. ? "trial runs of some " + brief(budget) +
+                             " s do not tell; CONTRECOUP_CHECK_SECONDS gives "
+                             "them longer"
+                         : "no trial runs were asked for";
+    }
   } // namespace
 
   void Run::check()
@@ -136,6 +147,7 @@ namespace io
     });
     const std::string gap =
       cost.is_exact ? "" : gap_of_steps(description_, prm_, cost);
+    cost.gap = gap.empty() ? gap_of_trials(description_) : gap;
     // Tables have rows by steps.
     if (!gap.empty())
       cost.steps = cost.seconds = cost.output = 0.;
@@ -152,8 +164,6 @@ namespace io
       brief(time_.end_time, 6) + " s, with output in " + folder_.path() + ":");
     for (const std::string &line : cost_lines({{description_.name, cost}}))
       show_line(line);
-    if (!gap.empty())
-      show_line("  steps, wall time and output are unknown: " + gap);
     complete_plan();
     // Of a part of a scene, which has a plan of its own, warnings are shown.
     for (const std::string &line : plan_lines(plan_))

@@ -51,6 +51,27 @@ namespace io
               told(cost.output, bytes(cost.output))};
     }
 
+    /// Cells of a row of cost_lines(): name, cells, unknowns, steps, memory,
+    /// wall time and output.
+    constexpr std::size_t first_figure = 1, first_of_all = 4;
+
+    /// "memory and output are", of the cells from @p begin on that @p row
+    /// leaves blank; empty: none.
+    std::string
+    blanks_of(const Row &heading, const Row &row, const std::size_t begin)
+    {
+      Row blanks;
+      for (std::size_t i = begin; i < row.size(); ++i)
+        if (row[i].empty())
+          blanks.push_back(heading[i]);
+      if (blanks.empty())
+        return "";
+      const std::string last = blanks.back();
+      blanks.pop_back();
+      return join(blanks, ", ") + (blanks.empty() ? "" : " and ") + last +
+             (blanks.empty() && last.back() != 's' ? " is" : " are");
+    }
+
     const std::string mark = "WARNING: ", estimated = "estimated at",
                       measured = "measured at";
 
@@ -110,15 +131,35 @@ namespace io
   std::vector<std::string>
   cost_lines(const std::vector<std::pair<std::string, CostEstimate>> &costs)
   {
-    std::vector<Row> rows = {
-      {"", "cells", "unknowns", "steps", "memory", "wall time", "output"}};
+    const Row heading = {
+      "", "cells", "unknowns", "steps", "memory", "wall time", "output"};
+    std::vector<Row> rows = {heading};
+    Row gaps, lacking;
     for (const auto &[name, cost] : costs)
-      rows.push_back(cost_row(name, cost));
+    {
+      const Row row = cost_row(name, cost);
+      rows.push_back(row);
+      const std::string blanks = blanks_of(heading, row, first_figure);
+      if (cost.gap.empty() || blanks.empty())
+        continue;
+      gaps.push_back("  " + name + ": " + blanks + " unknown: " + cost.gap);
+      if (!blanks_of(heading, row, first_of_all).empty())
+        lacking.push_back(name);
+    }
     CostEstimate total = total_of(costs);
     total.cells = total.unknowns = total.steps = 0.;
     if (costs.size() > 1)
-      rows.push_back(cost_row("all", total));
-    return aligned_rows(rows);
+    {
+      const Row row = cost_row("all", total);
+      rows.push_back(row);
+      const std::string blanks = blanks_of(heading, row, first_of_all);
+      if (!blanks.empty() && !lacking.empty())
+        gaps.push_back("  all: " + blanks + " unknown with those of " +
+                       join(lacking, ", "));
+    }
+    Row lines = aligned_rows(rows);
+    lines.insert(lines.end(), gaps.begin(), gaps.end());
+    return lines;
   }
 
   std::string counted_ranks(const unsigned int number)

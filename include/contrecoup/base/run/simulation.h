@@ -45,6 +45,7 @@ struct CostEstimate
   double memory = 0.;   ///< peak memory, all ranks [byte]
   double seconds = 0.;  ///< wall time [s]
   double output = 0.;   ///< results and checkpoints on disk [byte]
+  std::string gap;      ///< why some are 0, which is unknown
 };
 
 /// A file of one field output.

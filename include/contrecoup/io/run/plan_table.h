@@ -38,7 +38,7 @@ namespace io
 
   /// A table of what runs are expected to cost, with a heading, a row for each,
   /// and one for all of them, one after the other, if there are several. What
-  /// is 0 or not a number is unknown.
+  /// is 0 or not a number is unknown, and blank: lines say why.
   std::vector<std::string>
   cost_lines(const std::vector<std::pair<std::string, CostEstimate>> &costs);
 
