@@ -666,8 +666,7 @@ def near_sides():
     yield ("open side that the front runs along", "scene",
            shipped(SCENE, entry("Blast/Domain/Lower corner", "-1.28, -0.9, 0"),
                    entry("Blast/Domain/Upper corner", "4.48, 0.9, 3.2")),
-           "WARNING: grazed side: the front runs along the open sides y low, "
-           "y high")
+           "WARNING: grazed side: the front runs along the open side y high")
     street = [entry("Scene/End time", "0.006"),
               entry("Blast/Domain/Lower corner", "-1.28, -1.28, 0"),
               entry("Blast/Domain/Upper corner", "4.48, 1.28, 3.2"),

@@ -329,8 +329,9 @@ def _gauge_table(scene, gauges):
             page.number(1e-3 * measures["peak"]),
             page.at_least(measures["impulse"], is_cut),
             page.at_least(1e3 * measures["positive phase"], is_cut),
-            ("≤ " if after[-1] == lowest else "")
-            + page.number(1e-3 * lowest) if lowest < -1. else "–",
+            page.Rounded(("≤ " if after[-1] == lowest else "")
+                         + page.number(1e-3 * lowest), 1e-3 * lowest)
+            if lowest < -1. else "–",
             page.number(1e6 * signals.rise_time(time, gauges[name]), 2)))
     header = ("place", "arrival [ms]", "peak [kPa]", "impulse [Pa s]",
               "positive phase [ms]", "minimum [kPa]", "rise time [µs]")
@@ -340,9 +341,9 @@ def _gauge_table(scene, gauges):
         "last from the arrival until the overpressure first falls to zero "
         "after its peak; ≥ means that the run ended before. Minimum: of what follows the "
         "arrival; a dash means that the pressure does not fall below the ambient "
-        "pressure, ≤ that it falls until the end of the run. Rise time: from a "
-        "tenth to nine tenths of the first peak; cells and patches lengthen "
-        "it.", numbers=range(1, 7),
+        "pressure before the end of the run, ≤ that it falls until then. Rise "
+        "time: from a tenth to nine tenths of the first peak; cells and "
+        "patches lengthen it.", numbers=range(1, 7),
         data=(header + ("positive phase",),
               [row + ("cut by the end of the run" if row[4].startswith("≥")
                       else "complete",) for row in rows]))
