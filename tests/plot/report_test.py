@@ -1276,17 +1276,18 @@ class ReportTest(unittest.TestCase):
                 curve="given", of=0.) for side, value in
                     zip(("left", "right"), values)]
             for ear in ears:
-                ear.tables, ear.tables_place = tables, "at the ear's 2.13 m"
+                ear.tables, ear.tables_place = tables, "at the nearer ear's 2.13 m"
             return str(verdict._ears(ears)).replace("\u00a0", " ")
-        by_tables = "by the tables, at the ear's 2.13 m, 64 % in the open, " \
+        by_tables = "by the tables, at the nearer ear's 2.13 m, 64 % in the open, " \
             "98 % before a wall"
         self.assertEqual(told(0.17, 0.24), "eardrums probably rupture (left 17 % "
                          f"by this run; right 24 % by this run; {by_tables})")
         self.assertEqual(told(0.2, 0.2), "eardrums probably rupture (20 % by "
                          f"this run, {by_tables})")
         self.assertEqual(told(0.2, 0.2, tables=(0.3, 0.45)),
-                         "eardrums may rupture (20 %, by the tables, at the ear's "
-                         "2.13 m, 30 % in the open, 45 % before a wall)")
+                         "eardrums may rupture (20 %, by the tables, at the "
+                         "nearer ear's 2.13 m, 30 % in the open, 45 % before a "
+                         "wall)")
 
     def test_ears_by_the_tables(self):
         """What the tables contradict has neither the words nor the mark of good

@@ -196,9 +196,9 @@ def verdict_figure(scene, verdicts):
         + (", with marks at " + page.joined(mark.words for mark in marks)
            if marks else "") + ".", "Peak overpressure on the skin."
         + (" Marks have the colour of their verdict: green below all "
-           "thresholds, red above all, brown between, or where measures or the "
-           "tables differ or the verdict is uncertain by the numerics, grey "
-           "where the end of the run leaves a part unjudged"
+           "thresholds, red where one is exceeded by the numerics as well, brown "
+           "between, or where measures or the tables differ, grey where the "
+           "end of the run leaves a part unjudged"
            + ("." if all(mark.is_seen for mark in marks) else
               "; hollow ones are behind what is seen.") if marks else ""))
 

@@ -124,13 +124,17 @@ def ask_tables(scene, judged):
             entry.tables, entry.tables_place = known, place
 
 
+# Whose distance from the charge the tables are asked for.
+PLACES_OF_TABLES = {"ears": "nearer ear", "trunk": "trunk"}
+
+
 def at_distance(scene, part):
-    """Where the tables are asked for the "ears" or the "trunk", as "at the ear's
-    2.13 m"; "" where that is at the nearest skin."""
+    """Where the tables are asked for the "ears" or the "trunk", as "at the nearer
+    ear's 2.13 m"; "" where that is at the nearest skin."""
     there = (scene.facts.get("tables") or {}).get(part) or {}
     distance = files.as_number(there.get("distance"))
     return "" if distance is None else \
-        f"at the {part.removesuffix('s')}'s {page.quantity(distance, 'm')}"
+        f"at the {PLACES_OF_TABLES[part]}'s {page.quantity(distance, 'm')}"
 
 
 def at_trunk(scene):

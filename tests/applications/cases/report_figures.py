@@ -536,7 +536,7 @@ def _without_tables(text, files):
     tables = files.scene.get("tables", {})
     answer = tables.get("answer")
     ears = tables.get("ears") or answer
-    told = re.search(r"[,;] by the tables(?:, at the ear's ([\d.]+ m),)? "
+    told = re.search(r"[,;] by the tables(?:, at the nearer ear's ([\d.]+ m),)? "
                      r"((?:less than |more than )?[\d.]+ %)"
                      r"(?: in the open, (.*? %) before a wall)?(?=\))", text)
     if told:
