@@ -306,7 +306,7 @@ class AnswerTest(unittest.TestCase):
 
     def test_pressures_so_far(self):
         """An extreme is told as that so far where the contact lasts when the run
-        ends, and where it is at the end."""
+        ends, as is its force, and where it is at the end."""
         def told(lasts, falls):
             run = head_run.HeadRun(OUTPUT)
             names, values = run.history.names, run.history.values
@@ -319,6 +319,8 @@ class AnswerTest(unittest.TestCase):
                     values[:, column] = bump
             run.is_cut_off = lambda: lasts
             text = str(head_report.answer(run, [])).replace("\u00a0", " ")
+            self.assertIn("N at most so far (mean" if lasts else
+                          "N at most (mean", text)
             pressures = re.findall(
                 r"reaches from (\S+ \w+)( so far)? \(.*?\) to (\S+ \w+)( so "
                 r"far)? \(", text)

@@ -137,8 +137,9 @@ def answer(run, judged):
         rebound, end = run.rebound(), run.last_contact()
         force, when = largest_force(run)
         text.append(
-            f"The plane pushes with {page.quantity(force, 'N')} at most (mean "
-            f"over {page.quantity(head_figures.SPAN, 's')}), after "
+            f"The plane pushes with {page.quantity(force, 'N')} at most"
+            + (" so far" if run.is_cut_off() else "")
+            + f" (mean over {page.quantity(head_figures.SPAN, 's')}), after "
             f"{page.milliseconds(when)}; " + (
                 "the head does not rebound until the end of the run"
                 if rebound is None else
