@@ -63,8 +63,8 @@ public:
   /// is one of @p columns.
   std::string title(const std::vector<Column> &columns) const;
 
-  /// " against a run with Domain/Coarse leaves = 1600", what a relative error is
-  /// relative to; empty where there is no such run.
+  /// " against a run with Domain/Coarse leaves = 1600", what a relative error
+  /// is relative to; empty where there is no such run.
   std::string against() const;
 
   /// Short name of the error in summary.json, such as "density_L1".
