@@ -86,6 +86,9 @@ TEST(BodyLayer, HasHolesWhereElementsAreTooLarge)
   EXPECT_EQ(layer_pieces_line(cord, 0, 0.016, "Mesh/Element size"),
             "WARNING: spinal cord of 11 mm (Body/Phantom) has no element; "
             "Mesh/Element size of at most 6.3 mm closes it");
+  EXPECT_EQ(layer_pieces_line(cord, 1, 0.01, "Mesh/Element size"), "");
+  EXPECT_EQ(layer_pieces_line(cord, 2, 0.006, "Mesh/Element size"), "");
+  EXPECT_EQ(layer_pieces_line(cord, 2, 0.012, "Mesh/Element size"), "");
   const BodyLayer layer = layers_of({"Kind=shape",
                                      "Shape/Shape=layered head",
                                      "Shape/Layers=0.003, 0.0065, 0.005"})

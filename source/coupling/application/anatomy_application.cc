@@ -162,9 +162,7 @@ namespace coupling
                                          parameters_.tissue_set, tissue, {})));
       }
 
-      /// Tells of a body in pieces, of layers without elements, and of layers
-      /// that are thick enough for elements and yet in pieces, unless they are
-      /// thick organs.
+      /// Tells of a body in pieces, and of layers; see layer_pieces_line().
       void warn_of_pieces(const BodyReport &report) const
       {
         // Hexahedra of one's own bring the warning as a remark.
@@ -172,20 +170,16 @@ namespace coupling
               pieces_warning("the body", report.body().components);
             !line.empty() && !body_->own_mesh())
           log_line(line);
-        const double size = parameters_.element_size;
         for (const BodyLayer &layer : parameters_.layers)
         {
-          const auto row = std::find_if(
-            report.rows.begin(), report.rows.end(), [&](const ReportRow &one) {
-              return one.kind == "part" && one.name == layer.part;
-            });
-          const unsigned int n_pieces =
-            row == report.rows.end() ? 0 : row->components;
-          if (n_pieces == 0 || (n_pieces > 1 && layer.thickness >= size &&
-                                (layer.thickness != layer.usual ||
-                                 has_holes(layer, n_pieces, size))))
-            log_line(remark_line(
-              layer_pieces_line(layer, n_pieces, size, "Mesh/Element size")));
+          unsigned int n_pieces = 0;
+          for (const ReportRow &row : report.rows)
+            if (row.kind == "part" && row.name == layer.part)
+              n_pieces = row.components;
+          if (const std::string line = layer_pieces_line(
+                layer, n_pieces, parameters_.element_size, "Mesh/Element size");
+              !line.empty())
+            log_line(remark_line(line));
         }
       }
 

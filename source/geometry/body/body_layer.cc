@@ -258,9 +258,12 @@ std::string layer_pieces_line(const BodyLayer &layer,
                               const double element_size,
                               const std::string &entry)
 {
-  return (n_pieces == 0 || layer.thickness != layer.usual ? "WARNING: " : "") +
-         layer.part + " of " + millimetres(layer.thickness) + " (" +
-         layer.entry + ") " +
+  const bool is_usual = layer.thickness == layer.usual;
+  if (n_pieces > 0 && (n_pieces == 1 || layer.thickness < element_size ||
+                       (is_usual && !has_holes(layer, n_pieces, element_size))))
+    return "";
+  return (n_pieces == 0 || !is_usual ? "WARNING: " : "") + layer.part + " of " +
+         millimetres(layer.thickness) + " (" + layer.entry + ") " +
          (n_pieces == 0
             ? "has no element"
             : "is in " + std::to_string(n_pieces) + " pieces of elements") +

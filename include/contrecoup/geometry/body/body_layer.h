@@ -54,7 +54,8 @@ uncertain_layer_lines(const std::vector<BodyLayer> &layers,
 
 /// The line about a layer whose elements are in that many pieces, with a size
 /// that closes it where elements are too large: a warning if it has no element
-/// or its thickness is the user's.
+/// or its thickness is the user's. Empty for a layer in one piece or thinner
+/// than an element, of which thin_layer_lines() tells, and for thick organs.
 std::string layer_pieces_line(const BodyLayer &layer,
                               unsigned int n_pieces,
                               double element_size,
