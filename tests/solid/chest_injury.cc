@@ -43,7 +43,7 @@ TEST(ChestInjury, TakesTheMassOfAPhantomUnlessAnotherIsChosen)
   for (const auto &[text, phantom, mass, guesses] :
        {std::tuple{"by body", 50., 50., false},
         std::tuple{"by body", std::nan(""), 78.5, true},
-        std::tuple{"by body", 0.2, 1., false},
+        std::tuple{"by body", 0.2, 0.2, false},
         std::tuple{"78.5", 50., 78.5, false}})
   {
     dealii::ParameterHandler prm;

@@ -230,7 +230,7 @@ namespace coupling
       }
 
       /// Bytes on disk, as measured for the phantom with elements of 3.5 to 10
-      /// mm: smoothed positions compress less. Each part has a colour.
+      /// mm: smoothed positions compress less. Pictures colour each part.
       double estimate_output(const HexMeshSize &size) const
       {
         const bool is_smooth = parameters_.smoothing.iterations > 0;
@@ -264,7 +264,7 @@ namespace coupling
         require_elements(size.cells > 0.);
         CostEstimate cost;
         cost.cells = size.cells;
-        // Of the process so far, of writing, of labels and node numbers, cells.
+        // Taken so far, then for writing, labels and node numbers, and cells.
         const double per_cell = (parameters_.levels > 0 ? 265. : 135.) +
                                 (parameters_.smoothing.iterations ? 30. : 0.);
         cost.memory = peak_memory(MPI_COMM_SELF) + 3e6 + 5. * n_cubes +

@@ -191,7 +191,7 @@ double ModellingPlan<dim>::expected_reach(const double time) const
           std::min(least, std::abs(place_of_side(wall) - gauge[wall / 2]));
       return least;
     });
-  // Of the time of the point source, some per cent.
+  // The earliest front is at most some per cent before the point source.
   constexpr double step = 1.002;
   double reach =
     ExpectedBlast(whole, ambient.pressure, ambient.density).radius(time);

@@ -5,7 +5,6 @@
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/numerics/injury/body_mass.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace contrecoup
@@ -40,9 +39,7 @@ bool is_mass_of_body(const dealii::ParameterHandler &prm)
 double read_body_mass(const dealii::ParameterHandler &prm,
                       const double phantom_mass)
 {
-  const double of_person = std::isnan(phantom_mass)
-                             ? usual_body_mass
-                             : std::clamp(phantom_mass, smallest, largest);
-  return read_number(prm, entry, of_body).value_or(of_person);
+  return read_number(prm, entry, of_body)
+    .value_or(std::isnan(phantom_mass) ? usual_body_mass : phantom_mass);
 }
 } // namespace contrecoup

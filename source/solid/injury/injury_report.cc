@@ -125,7 +125,7 @@ std::vector<Assumption>
 InjuryReport<Real>::assumptions(const SolidBody<Real> &body) const
 {
   std::vector<Assumption> items = own_.assumptions();
-  // Of a part of a person the mass says nothing.
+  // The mass of a part of a person says nothing about the person.
   const bool is_person =
     has(Tissue::lung, body.mesh()) && has(Tissue::brain, body.mesh());
   if (active_ && chest_.reports_load() && is_person && chest_.guesses_mass())

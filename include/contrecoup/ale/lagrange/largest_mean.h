@@ -22,7 +22,7 @@ struct LargestMean
 
   double value = 0.; ///< [N]
   double time = 0.;  ///< middle of its window [s]
-  /// Of the last intervals, each at its number modulo n_intervals [N s].
+  /// Impulses of the last intervals, by number modulo n_intervals [N s].
   std::array<double, n_intervals> impulses{};
   std::int64_t latest = -1; ///< number of the last interval with an impulse
 
@@ -31,7 +31,7 @@ struct LargestMean
   {
     const double begin = std::max(0., end - step);
     const auto last = static_cast<std::int64_t>(end / interval);
-    // Of a step longer than the span the end alone counts.
+    // Only the end of a step that is longer than the span counts.
     for (auto k = std::max(static_cast<std::int64_t>(begin / interval),
                            last - n_intervals);
          k <= last;
@@ -45,7 +45,7 @@ struct LargestMean
       impulse += force * std::max(0., until - std::max(begin, k * interval));
       const double mean =
         std::accumulate(impulses.begin(), impulses.end(), 0.) / span;
-      // A force that stays is largest when it is first so.
+      // A constant force counts when it is first reached.
       if (mean > (1. + 1e-9) * value)
       {
         value = mean;

@@ -45,7 +45,7 @@ struct CostEstimate
   double memory = 0.;   ///< peak memory, all ranks [byte]
   double seconds = 0.;  ///< wall time [s]
   double output = 0.;   ///< results and checkpoints on disk [byte]
-  std::string gap;      ///< why some are 0, which is unknown
+  std::string gap;      ///< reason for unknown figures, which are 0
 };
 
 /// A file of one field output.

@@ -22,9 +22,10 @@ struct WavePeaks
   double first = 0.;      ///< overpressure [Pa]
   double later = 0.;      ///< largest of later waves [Pa]; 0: none so far
   double later_time = 0.; ///< [s]
-  /// Overpressure since the first rise [Pa].
+  /// Least overpressure since the first rise [Pa].
   double lowest = std::numeric_limits<double>::infinity();
-  /// Until the overpressure was lowest, before any later wave [Pa s].
+  /// Positive impulse up to the least overpressure before any later wave [Pa
+  /// s].
   double first_impulse = 0.;
 
   /// Adds the overpressure [Pa] at the end @p time of a step [s].
@@ -53,8 +54,9 @@ struct WavePeaks
     }
   }
 
-  /// Part that the first wave has in the @p total positive impulse [Pa s], if
-  /// the first positive phase has @p impulse [Pa s]: 1 in a simple wave.
+  /// Part of the @p total positive impulse [Pa s] that belongs to the first
+  /// wave, where @p impulse is that of the first positive phase [Pa s]: 1 in a
+  /// simple wave.
   double first_fraction(const double impulse, const double total) const
   {
     if (!(total > 0.))

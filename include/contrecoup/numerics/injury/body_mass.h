@@ -9,7 +9,7 @@
 
 namespace contrecoup
 {
-/// Of a person of unknown mass [kg].
+/// Mass taken for a person of unknown mass [kg].
 constexpr double usual_body_mass = 78.5;
 
 /// Declares "Body mass" of the current subsection, a number or that of the
@@ -21,7 +21,7 @@ void declare_body_mass(dealii::ParameterHandler &prm,
 bool is_mass_of_body(const dealii::ParameterHandler &prm);
 
 /// Reads "Body mass" of the current subsection [kg].
-/// @param phantom_mass of a phantom [kg]; NaN: of another body the mass is the
-/// usual one
+/// @param phantom_mass mass of the phantom [kg]; NaN for another body, which
+/// gets the usual mass
 double read_body_mass(const dealii::ParameterHandler &prm, double phantom_mass);
 } // namespace contrecoup
