@@ -518,8 +518,8 @@ def thin_layers():
     yield ("skin of a scene", "scene",
            shipped(SCENE, entry("Scene/End time", "0.005"), skin),
            "WARNING: skin, 4 mm (Body/Phantom/Skin thickness) is thinner than "
-           "the elements of 10 mm, so that there are holes; Scene/Element size "
-           "of at most 2.3 mm closes them")
+           "the elements of 10 mm, so that it has holes or no element; "
+           "Scene/Element size of at most 2.3 mm closes the holes")
     yield ("layers of a scene", "scene",
            shipped(SCENE, entry("Scene/End time", "0.005"), *head,
                    entry("Body/Shift", "0, 0, 1"),
@@ -545,12 +545,13 @@ def thin_layers():
     yield ("skin of biomechanics", "biomechanics",
            shipped("biomechanics/quickstart.prm", skin),
            "WARNING: skin, 4 mm (Body/Phantom/Skin thickness) is thinner than "
-           "the elements of 10 mm, so that there are holes; Mesh/Element size "
-           "of at most 2.3 mm closes them")
+           "the elements of 10 mm, so that it has holes or no element; "
+           "Mesh/Element size of at most 2.3 mm closes the holes")
     yield ("usual layers of biomechanics", "biomechanics",
            shipped("biomechanics/quickstart.prm"),
            "  cerebrospinal fluid, 2.5 mm (Body/Phantom) is thinner than the "
-           "elements of 10 mm, so that there are holes")
+           "elements of 10 mm, so that it has holes or no element; "
+           "Mesh/Element size of at most 1.4 mm closes the holes")
 
 
 def bar_of_lung():

@@ -40,11 +40,13 @@ TEST(BodyLayer, WarnsOfAThicknessOfTheUser)
   const auto layers = layers_of({"Phantom/Skin thickness=0.004"});
   EXPECT_EQ(thin_layer_lines(layers, 0.01, 0.01, "Mesh/Element size"),
             (Lines{"WARNING: skin, 4 mm (Body/Phantom/Skin thickness) is "
-                   "thinner than the elements of 10 mm, so that there are "
-                   "holes; Mesh/Element size of at most 2.3 mm closes them",
+                   "thinner than the elements of 10 mm, so that it has holes or "
+                   "no element; Mesh/Element size of at most 2.3 mm closes "
+                   "the holes",
                    "cerebrospinal fluid, 2.5 mm (Body/Phantom) is thinner "
-                   "than the elements of 10 mm, so that there are holes; "
-                   "Mesh/Element size of at most 1.4 mm closes them"}));
+                   "than the elements of 10 mm, so that it has holes or no "
+                   "element; Mesh/Element size of at most 1.4 mm closes the "
+                   "holes"}));
   EXPECT_EQ(thin_layer_lines(layers, 0.0025, 0.01, "Mesh/Element size"),
             Lines{});
 }
@@ -223,6 +225,6 @@ TEST(BodyLayer, OfLabelsAreAsThickAsTheirVoxels)
   EXPECT_EQ(
     thin_layer_lines(layers, 0.01, 0.01, "Mesh/Element size"),
     Lines{"fluid, 6 mm (Body/Image/File) is thinner than the elements of "
-          "10 mm, so that there are holes; Mesh/Element size of at most 3.4 "
-          "mm closes them"});
+          "10 mm, so that it has holes or no element; Mesh/Element size of at "
+          "most 3.4 mm closes the holes"});
 }

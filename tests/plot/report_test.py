@@ -2175,6 +2175,12 @@ class ReportTest(unittest.TestCase):
         self.assertNotIn(brain, body_sections.tissue_pressures(Scene(folder)))
         folder, words = words_of()
         self.assertNotIn("†", words)
+        scene = Scene(folder)
+        self.assertFalse(tissue_places.is_in_pieces(scene, "skull"))
+        with open(scene.anatomy.path("quality.csv"), "a",
+                  encoding="utf-8") as file:
+            file.write("part,skull,skeleton,748,7e-4,0.8,1,1,0.01,0.01,3e-6,68\n")
+        self.assertTrue(tissue_places.is_in_pieces(scene, "skull"))
         self.assertIn(brain, body_sections.tissue_pressures(Scene(folder)))
 
     def test_own_hexahedra(self):

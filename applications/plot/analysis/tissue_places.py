@@ -61,6 +61,17 @@ def is_thin(scene, tissue):
         "checks", "thin_" + tissue.replace(" ", "_")))
 
 
+def is_in_pieces(scene, part):
+    """Whether the elements of a part of the body do not hang together."""
+    path = scene.anatomy.path("quality.csv")
+    if not os.path.exists(path):
+        return False
+    with files.reading(path), open(path, newline="", encoding="utf-8") as file:
+        return any(row["kind"] == "part" and row["name"] == part
+                   and int(row["connected components"]) > 1
+                   for row in files.rows_of(file))
+
+
 def thin_note(titles):
     """Explains the mark of titles that have it, or is empty."""
     return "" if not any(title.endswith(THIN) for title in titles) else (
@@ -74,7 +85,10 @@ def find_places(scene):
     places = _named_places(scene)
     called = names(scene)
     for place in places:
-        if not place.remark and is_thin(scene, called.get(place.tissue, "")):
+        # The skull is a layer, but not the rest of the skeleton.
+        if not place.remark and (
+                is_thin(scene, called.get(place.tissue, ""))
+                or place.name == "skull" and is_in_pieces(scene, "skull")):
             place.remark = THIN
     return places
 

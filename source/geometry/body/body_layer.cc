@@ -176,8 +176,10 @@ namespace
                       const std::string &entry)
   {
     return words_of(layers) + " thinner than the elements of " +
-           millimetres(element_size) + ", so that there are holes; " +
-           remedy(layers, entry, "them");
+           millimetres(element_size) + ", so that " +
+           (layers.size() > 1 ? "they have" : "it has") +
+           " holes or no element; " +
+           remedy(layers, entry, "the holes");
   }
 } // namespace
 

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <numeric>
 #include <sstream>
 #include <unordered_map>
 
@@ -26,6 +27,9 @@ namespace
     std::uint32_t cell; ///< in the whole mesh
     std::array<float, 4> peaks;
   };
+
+  /// The share of a tissue that strain_95() leaves out.
+  constexpr double tail = 0.05;
 
   /// Extends an extreme, and @p newest by its magnitude if it changes.
   void
@@ -100,6 +104,7 @@ void PeakFields<Real>::reinit(const SolidBody<Real> &body)
   for (unsigned int k = 0; k < averages_.size(); ++k)
     averages_[k].reinit(body.mesh(), body.exchange(), k);
   newest_.assign(averages_.size(), {});
+  straining_.assign(averages_.size(), 0.);
   n_steps_ = 0;
 }
 
@@ -110,6 +115,7 @@ void PeakFields<Real>::record(const SolidBody<Real> &body)
   if (++n_steps_ % interval_ != 0)
     return;
   std::vector<float> pressures(body.mesh().elements.size(), 0.F);
+  std::vector<char> is_straining(pressures.size(), 0);
   for (unsigned int k = 0; k < averages_.size(); ++k)
   {
     std::array<float, n_fields> &newest = newest_[k];
@@ -124,6 +130,7 @@ void PeakFields<Real>::record(const SolidBody<Real> &body)
         extend(stress > largest, stress, largest, newest[2]);
         const auto raised =
           static_cast<float>(raised_to_principal(strain, element.strain));
+        is_straining[cell] = raised > strain;
         extend(raised > strain, raised, strain, newest[3]);
       },
       k);
@@ -133,8 +140,11 @@ void PeakFields<Real>::record(const SolidBody<Real> &body)
       values[i] = pressures[elements[i]];
     if (averaged_)
       values = averages_[k].average(values);
+    straining_[k] = 0.;
     for (std::size_t i = 0; i < elements.size(); ++i)
     {
+      if (is_straining[elements[i]] != 0)
+        straining_[k] += averages_[k].volumes()[i];
       const auto pressure = static_cast<float>(values[i]);
       float &highest = fields_[0][elements[i]],
             &lowest = fields_[1][elements[i]];
@@ -167,8 +177,10 @@ PeakFields<Real>::measures(const SolidBody<Real> &body) const
       if (found[0] > 0.F && found[1] == found[0])
         list.push_back({name + "_cut_off", "-", 1.});
     }
-    list.push_back(
-      {tissue_column("principal_strain_95", tissue), "-", strain_95(body, k)});
+    const std::string name = tissue_column("principal_strain_95", tissue);
+    list.push_back({name, "-", strain_95(body, k)});
+    if (is_straining(body, k))
+      list.push_back({name + "_cut_off", "-", 1.});
   }
   return list;
 }
@@ -182,7 +194,19 @@ double PeakFields<Real>::strain_95(const SolidBody<Real> &body,
   for (const std::uint32_t cell : averages_[tissue].elements())
     strains.push_back(fields_[3][cell]);
   return percentile(
-    strains, averages_[tissue].volumes(), 0.95, body.communicator());
+    strains, averages_[tissue].volumes(), 1. - tail, body.communicator());
+}
+
+
+template <typename Real>
+bool PeakFields<Real>::is_straining(const SolidBody<Real> &body,
+                                    const unsigned int tissue) const
+{
+  const std::vector<double> &volumes = averages_[tissue].volumes();
+  std::vector<double> sums{
+    straining_[tissue], std::accumulate(volumes.begin(), volumes.end(), 0.)};
+  dealii::Utilities::MPI::sum(sums, body.communicator(), sums);
+  return sums[0] > tail * sums[1];
 }
 
 

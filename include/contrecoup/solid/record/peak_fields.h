@@ -56,8 +56,8 @@ public:
 
   /// For each tissue, as "highest_pressure_brain": the extreme values over its
   /// elements and, as "principal_strain_95_brain", the volume-weighted 95th
-  /// percentile of the elements' largest principal strain. Of an extreme that
-  /// is of the last evaluation also "NAME_cut_off", which is 1. Collective.
+  /// percentile of the elements' largest principal strain. Of a value that
+  /// the last evaluation changed also "NAME_cut_off", which is 1. Collective.
   std::vector<NamedValue> measures(const SolidBody<Real> &body) const;
 
   /// The tissue of which 95 % has had the largest strains. Collective.
@@ -78,6 +78,10 @@ private:
   /// The largest principal strain that 95 % of a tissue has not exceeded.
   double strain_95(const SolidBody<Real> &body, unsigned int tissue) const;
 
+  /// Whether the last evaluation raised the strain of more of a tissue than
+  /// strain_95() leaves out, so that it grows with the time of the run.
+  bool is_straining(const SolidBody<Real> &body, unsigned int tissue) const;
+
   bool active_ = false;
   bool averaged_ = true; ///< pressures, over neighbours
   unsigned int interval_ = 10;
@@ -86,5 +90,7 @@ private:
   std::array<std::vector<float>, n_fields> fields_;
   /// By tissue: magnitudes of the extremes that the last evaluation changed.
   std::vector<std::array<float, n_fields>> newest_;
+  /// By tissue: this rank's volume whose strain the last one raised [m^3].
+  std::vector<double> straining_;
 };
 } // namespace contrecoup::solid
