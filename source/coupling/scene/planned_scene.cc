@@ -307,6 +307,27 @@ std::string PlannedScene::answer_at_trunk() const
 }
 
 
+std::string PlannedScene::answer_at_ears() const
+{
+  const auto there = layout_at_ears();
+  if (!there)
+    return "";
+  const auto rupture_at = [&](const SceneLayout &layout) {
+    const auto answer = table_answer(parameters_, layout, person_mass());
+    return answer ? "eardrum rupture " +
+                      percent(answer->in_the_open.eardrum_rupture) +
+                      "; before a wall " +
+                      percent(answer->before_a_wall.eardrum_rupture)
+                  : std::string();
+  };
+  const std::string here = rupture_at(*there);
+  return here.empty() || here == rupture_at(*layout_)
+           ? ""
+           : "  the nearer ear is " + brief(there->distance, 3) +
+               " m from the charge: the incident wave there means " + here;
+}
+
+
 std::vector<std::string> PlannedScene::first_answer() const
 {
   auto lines = coupling::first_answer(
@@ -314,9 +335,9 @@ std::vector<std::string> PlannedScene::first_answer() const
   if (!has(Tissue::lung))
     lines.push_back("  the body has no lungs: those of an adult of " +
                     brief(person_mass()) + " kg are taken");
-  const std::string far_lungs = answer_at_trunk();
-  if (!far_lungs.empty())
-    lines.push_back(far_lungs);
+  for (const std::string &line : {answer_at_trunk(), answer_at_ears()})
+    if (!line.empty())
+      lines.push_back(line);
   return lines;
 }
 } // namespace contrecoup::coupling

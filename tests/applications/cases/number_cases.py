@@ -105,6 +105,16 @@ def check_estimate(text, files):
                     trunk["in_the_open"]["lung_exposure"]),
                    (r"; before a wall (\S+), ",
                     trunk["before_a_wall"]["lung_exposure"])]
+    ears = facts["tables"]["ears"]
+    told = re.search(r"nearer ear is (\S+ m) from .* rupture (.*?); before a wall "
+                     r"(.*)", text)
+    if told:
+        wanted.append((r"nearer ear is (\S+ m) from", ears["distance"]))
+    for words, place in zip(told.groups()[1:] if told else (),
+                            ("in_the_open", "before_a_wall"), strict=False):
+        require_chance(words, ears[place]["eardrum_rupture"], "eardrum")
+    require(told or ears is None or ears["distance"] < 1.05 * facts["distance"],
+            f"ears: {ears}, --estimate: {text}")
     for pattern, value in wanted:
         require_same(re.search(pattern, text)[1], value, pattern)
     require(facts["person"]["description"] in text, f"another person: {text}")

@@ -118,6 +118,9 @@ private:
   layout_at(const std::vector<std::string> &parts) const;
   /// What the tables tell of lungs at layout_at_trunk(); empty without one.
   std::string answer_at_trunk() const;
+  /// What the tables tell of eardrums at layout_at_ears(); empty where they
+  /// tell the same at the nearest skin.
+  std::string answer_at_ears() const;
   /// The elements of the body and their size.
   std::string elements_in_words() const;
 
