@@ -38,15 +38,16 @@ using Lines = std::vector<std::string>;
 TEST(BodyLayer, WarnsOfAThicknessOfTheUser)
 {
   const auto layers = layers_of({"Phantom/Skin thickness=0.004"});
-  EXPECT_EQ(thin_layer_lines(layers, 0.01, 0.01, "Mesh/Element size"),
-            (Lines{"WARNING: skin, 4 mm (Body/Phantom/Skin thickness) is "
-                   "thinner than the elements of 10 mm, so that it has holes or "
-                   "no element; Mesh/Element size of at most 2.3 mm closes "
-                   "the holes",
-                   "cerebrospinal fluid, 2.5 mm (Body/Phantom) is thinner "
-                   "than the elements of 10 mm, so that it has holes or no "
-                   "element; Mesh/Element size of at most 1.4 mm closes the "
-                   "holes"}));
+  EXPECT_EQ(
+    thin_layer_lines(layers, 0.01, 0.01, "Mesh/Element size"),
+    (Lines{"WARNING: skin, 4 mm (Body/Phantom/Skin thickness) is "
+           "thinner than the elements of 10 mm, so that it has holes or "
+           "no element; Mesh/Element size of at most 2.3 mm closes "
+           "the holes",
+           "cerebrospinal fluid, 2.5 mm (Body/Phantom) is thinner "
+           "than the elements of 10 mm, so that it has holes or no "
+           "element; Mesh/Element size of at most 1.4 mm closes the "
+           "holes"}));
   EXPECT_EQ(thin_layer_lines(layers, 0.0025, 0.01, "Mesh/Element size"),
             Lines{});
 }

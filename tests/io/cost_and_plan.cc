@@ -6,6 +6,7 @@
 #include <contrecoup/base/system/processor_time.h>
 #include <contrecoup/io/application/cost_forecast.h>
 #include <contrecoup/io/application/cost_laws.h>
+#include <contrecoup/io/application/trial_run.h>
 #include <contrecoup/io/file/temporary_folder.h>
 #include <contrecoup/io/run/cost_cache.h>
 #include <contrecoup/io/run/plan_table.h>
@@ -102,6 +103,31 @@ TEST(CostForecast, IsUnknownWhereTrialsEndInAFirstStage)
     expect_known(cost_of_stages(hand_over, 0.02), hand_over < 1.);
   unsetenv("CONTRECOUP_CHECK_LEVELS");
 }
+
+// A stage in 2-D of one step on cells that are too large to refine.
+TEST(CostForecast, BelievesNoTrialOfAFewStepsInAStage)
+{
+  const auto trial_of = [](const unsigned int dimension, const double steps) {
+    TrialStage first, last;
+    first.dimension = dimension;
+    first.steps = steps;
+    last.dimension = 3;
+    last.steps = last.largest_cells = 100.;
+    last.cell_steps = 9e3;
+    Trial trial;
+    trial.stages = {first, last};
+    return trial;
+  };
+  EXPECT_TRUE(trial_of(1, 3.).tells_of_finer());
+  EXPECT_FALSE(trial_of(2, 3.).tells_of_finer());
+  EXPECT_TRUE(trial_of(2, 30.).tells_of_finer());
+  Trial still = trial_of(2, 30.);
+  still.stages.back().cell_steps = 1e4;
+  EXPECT_FALSE(still.tells_of_finer());
+  EXPECT_FALSE(still.has_few_steps());
+  EXPECT_FALSE(Trial().tells_of_finer());
+}
+
 
 // Both terms are found again from two values.
 TEST(CostForecast, ExtrapolatesSurfacesAndVolumes)

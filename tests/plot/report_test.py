@@ -43,7 +43,8 @@ from plot.readers import fields, loads, tables  # noqa: E402
 from plot.readers.scene import Scene  # noqa: E402
 from plot.report import (accuracy, blast_sections,  # noqa: E402
                          body_sections, error_estimate, headline, injury_table,
-                         injury_thresholds, least_phases, page as html_page,
+                         injury_thresholds, least_phases, load_impulses,
+                         page as html_page,
                          reflections, scene_sections, summary, verdict)
 
 
@@ -1653,6 +1654,22 @@ class ReportTest(unittest.TestCase):
             "100 N s recorded on the whole body in magnitudes, as pushes from "
             "opposite sides cancel, 99.0 N s on the elements",
             " ".join(accuracy._checks(scene)).replace("\xa0", " "))
+        self.assertEqual(headline._loads(scene), [])
+        # What is left is twice as much on the elements.
+        for recorded, mapped, difference in ((6., 12., 1.), (0., 1., math.inf),
+                                             (0., 0., 0.)):
+            checks.update(loads_largest_recorded_push=recorded,
+                          loads_largest_mapped_push=mapped)
+            self.assertEqual(load_impulses.difference_of_motion(scene),
+                             difference)
+            said = " ".join(headline._loads(scene)).replace("\xa0", " ")
+            self.assertEqual(bool(said), difference > 0., said)
+            if recorded:
+                self.expect(said, "moves the body with 12.0 N s, where 6.00 N s "
+                            "were recorded on the skin")
+                self.expect(" ".join(accuracy._checks(scene)).replace(
+                    "\xa0", " "), "leaves 6.00 N s as recorded and 12.0 N s on "
+                    "the elements")
 
     def test_errors_have_that_of_the_loads(self):
         """What happens in the body is no better known than its impulse, even if

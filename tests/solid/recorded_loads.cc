@@ -172,6 +172,13 @@ TEST(RecordedLoads, PushesThatCancelAreComparedByTheirMagnitudes)
                 area < 0.9);
       EXPECT_EQ(loads->correction(), 1.);
       EXPECT_EQ(audited(*loads, "loads_pushes_cancel"), 1.);
+      // What is left is that of the whole side less that of the other.
+      EXPECT_NEAR(audited(*loads, "loads_largest_recorded_push"),
+                  1e-3 * (300. - left),
+                  1e-6);
+      EXPECT_NEAR(audited(*loads, "loads_largest_mapped_push"),
+                  left < 300.F ? 1e-3 * (300. * area - left) : 0.,
+                  1e-6);
     }
     std::filesystem::remove(file);
   }

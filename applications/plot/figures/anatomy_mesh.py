@@ -95,6 +95,8 @@ def draw_cut(axis, mesh, normal, place):
         edgecolors="#00000030", linewidths=0.1))
     axis.set_aspect("equal")
     axis.autoscale_view()
+    if axis.dataLim.width < 0.6 * axis.dataLim.height:
+        axis.tick_params(axis="x", labelrotation=90)  # side by side too wide
     axis.grid(False)
     axis.set_xlabel(f"{'xyz'[others[0]]} [m]")
     axis.set_ylabel(f"{'xyz'[others[1]]} [m]")

@@ -10,6 +10,7 @@ from plot.readers import files
 from plot.readers.scene import STAGES
 from plot.report import error_estimate, load_impulses, page, reflections
 
+ROUND_OFF = 1e-9  # of ratios
 PLAN_WIDTHS = (10, 17, 19, 9, 9, 10, 7, 19)
 
 
@@ -191,6 +192,7 @@ def _checks(scene):
     if impulses is not None:
         recorded, mapped = impulses
         change = mapped / recorded - 1.
+        change = change if abs(change) > ROUND_OFF else 0.
         factor = found("checks", "loads_impulse_factor")
         mended = "" if factor is None else (
             ", after all pressures were multiplied by "
@@ -204,6 +206,11 @@ def _checks(scene):
             f"Impulse: {page.quantity(recorded, 'N s')} recorded on the whole "
             f"body {when}, {page.quantity(mapped, 'N s')}{where} "
             f"on the elements ({page.number(100. * change, 2)} %){mended}.")
+        left = load_impulses.pushes_left(scene)
+        if left is not None:
+            items[-1] += (
+                f" What cancels leaves {page.quantity(left[0], 'N s')} as "
+                f"recorded and {page.quantity(left[1], 'N s')} on the elements.")
     loss = scene.blast.found("checks", "loads_sampled_peak_loss")
     if loss is not None:
         items.append("Recording: samples miss at most "

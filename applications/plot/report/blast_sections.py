@@ -111,7 +111,8 @@ def people(scene):
                if own else "")
             + "the chest wall velocity: "
             f"{KNOWN['chest_wall_velocity_air'].limits}."
-            + _limits_of_velocity(maps) + reflections.note_on_maps(scene)))
+            + _limits_of_velocity(maps) + _step_of_stages(scene)
+            + reflections.note_on_maps(scene)))
     return parts
 
 
@@ -123,6 +124,18 @@ def _among_whom(scene):
             "shields from it: maps and areas beside and behind "
             f"the {body} are those of the wave so changed"
             if scene.loads() is not None else "as if nobody were there")
+
+
+def _step_of_stages(scene):
+    """Where maps go from the cells of a first stage to larger ones, in words."""
+    for row in scene.list_of("audit"):
+        if row.get("item") == "first_stage" \
+                and str(row.get("found")).endswith(" m"):
+            place = row["found"].replace(" ", "\u00a0")
+            return (f" Peaks may have a step some {place} from the charge: the "
+                    "first stage, which ends with its front there, has smaller "
+                    "cells and higher peaks.")
+    return ""
 
 
 def _limits_of_velocity(maps):

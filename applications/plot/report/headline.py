@@ -14,6 +14,7 @@ from plot.report.energy_audit import EnergyAudit
 from plot.report.injury_thresholds import KNOWN, of_run, probability
 
 LARGE_LOAD_DIFFERENCE = 0.02  # of impulses on skin and elements
+LARGE_PUSH_DIFFERENCE = 0.1  # of small differences of large impulses
 # Of items of the audit, for readers who do not know the plan.
 WORDS = {"reflection": "arrival of a wave reflected by an open side of the "
          "domain"}
@@ -562,15 +563,25 @@ def _fraction(row):
 
 
 def _loads(scene):
-    """A large difference of the impulse on the elements to the recorded one."""
-    found = load_impulses.along(scene)
+    """A large difference of the impulse on the elements to the recorded one, and
+    of what pushes from opposite sides leave of it."""
+    found, left = load_impulses.along(scene), load_impulses.pushes_left(scene)
     if found is None:
         return []
     recorded, mapped = found
-    if abs(mapped / recorded - 1.) <= LARGE_LOAD_DIFFERENCE:
-        return []
-    return [f"The elements get {page.percent(mapped / recorded, 4)} of the "
-            "impulse that was recorded on the skin."]
+    lines = []
+    if abs(mapped / recorded - 1.) > LARGE_LOAD_DIFFERENCE:
+        lines.append(
+            f"The elements get {page.percent(mapped / recorded, 4)} of the "
+            "impulse that was recorded on the skin"
+            + ("." if left is None else ", all facets taken as magnitudes."))
+    if left is not None \
+            and load_impulses.difference_of_motion(scene) > LARGE_PUSH_DIFFERENCE:
+        lines.append(
+            "Pushes from opposite sides cancel: what is left moves the body with "
+            f"{page.quantity(left[1], 'N s')}, where "
+            f"{page.quantity(left[0], 'N s')} were recorded on the skin.")
+    return lines
 
 
 def _ground(scene):

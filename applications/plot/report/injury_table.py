@@ -34,6 +34,8 @@ FARTHER = 1.15
 NO_INJURY = ("injury_pressure_roughness",)
 PRESSURES = ("injury_intracranial_pressure_peak",
              "injury_intracranial_pressure_lowest")
+# Of the motion of the head as a whole.
+OF_THE_MOTION = ("injury_hic15", "injury_bric")
 TENSIONS = ("injury_cavitating_fraction", "injury_cavitation_dose")
 GROUPS = (("Ears", ("ear_",)),
           ("Chest and lungs", ("chest_", "injury_chest", "injury_lung",
@@ -93,7 +95,9 @@ def judge(scene):
             if name == SKIN_NAMES.get(("lung_exposure", side)):
                 least_part = least_phases.part_of_load(scene, side)
         else:
-            error = _at_least(error, load_impulses.difference(scene))
+            error = _at_least(error, load_impulses.difference_of_motion(scene)
+                              if name in OF_THE_MOTION else
+                              load_impulses.difference(scene))
         judged.append(Judged(name, value, measure.unit, known, error, causes,
                              other, curve if of is not None else "", of,
                              measure.is_cut, least_part, is_coarser_cut))

@@ -73,9 +73,20 @@ class Judged:
         words."""
         is_limit = is_limit or (value is None and self.is_cut)
         value = self.value if value is None else value
+        limits = self.limits_of_verdicts()
         if self.is_fraction:
-            return page.least_chance(value) if is_limit else page.chance(value)
-        return page.limit(value, is_limit) + page.quantity(value, self.unit)
+            return page.least_chance(value) if is_limit \
+                else page.chance(value, limits)
+        return page.limit(value, is_limit) + page.quantity(
+            value, self.unit, page.digits_beside(limits, value, 3))
+
+    def limits_of_verdicts(self):
+        """The thresholds without their meanings."""
+        return [limit for limit, _ in self.thresholds]
+
+    def shown_bounds(self):
+        """bounds() of a probability or fraction in words."""
+        return page.interval(*self.bounds(), self.limits_of_verdicts())
 
     def shown_coarser(self):
         """The value of the coarser run in words, a dash if unknown."""
@@ -100,7 +111,7 @@ class Judged:
             return f"{self.shown_coarser()} in the coarser run, too"
         if not self.value and self.of is None:
             return f"up to {self.shown(self.bounds()[1])}"
-        return page.interval(*self.bounds()) if self.is_fraction \
+        return self.shown_bounds() if self.is_fraction \
             else page.error(self.error) + (
                 "" if self.least_part == 1. else
                 f", least {self.shown(self.bounds()[0])}")

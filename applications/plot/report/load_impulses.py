@@ -2,6 +2,8 @@
 # Copyright (C) 2026 by the Contrecoup authors
 """The impulse of the recorded loads, and what the elements get of it."""
 
+import math
+
 
 def along(scene):
     """The recorded impulse of the whole body when it is largest and, along its
@@ -18,6 +20,25 @@ def kind(scene):
     return ("in magnitudes, as pushes from opposite sides cancel", "") \
         if scene.biomechanics.found("checks", "loads_pushes_cancel") else \
         ("when it is largest", " along it")
+
+
+def pushes_left(scene):
+    """What is left of pushes that cancel, when it is largest, recorded and on
+    the elements [N s]; None where they do not, or in scenes before 0.2.0."""
+    found = [scene.biomechanics.found("checks", f"loads_largest_{name}_push")
+             for name in ("recorded", "mapped")]
+    return None if None in found else tuple(found)
+
+
+def difference_of_motion(scene):
+    """difference() of what moves the body as a whole; infinite where nothing
+    was left of the recorded pushes."""
+    left = pushes_left(scene)
+    if left is None:
+        return difference(scene)
+    recorded, mapped = left
+    change = abs(mapped - recorded)
+    return change / recorded if recorded else math.inf if change else 0.
 
 
 def largest_correction(scene):

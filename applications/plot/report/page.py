@@ -231,13 +231,22 @@ def percent(part, digits=2):
     return Rounded(f"{number(100. * part, digits)}\u00a0%", 100. * part, "%")
 
 
-def chance(part):
+def digits_beside(limits, value, digits):
+    """As many digits, or some more, with which a value is not taken for one of
+    the limits that it is beside."""
+    while digits < 6 and any(value != limit == float(f"{value:.{digits}g}")
+                             for limit in limits):
+        digits += 1
+    return digits
+
+
+def chance(part, limits=()):
     """What lies between 0 and 1 in per cent, without digits that mean
-    nothing."""
+    nothing, and not rounded to one of the limits."""
     if 0. < part < 0.001:
         return Rounded("less than 0.1\u00a0%", 100. * part, "%")
     return Rounded("more than 99\u00a0%", 100. * part, "%") \
-        if 0.99 < part < 1. else percent(part)
+        if 0.99 < part < 1. else percent(part, digits_beside(limits, part, 2))
 
 
 def least_chance(part):
@@ -246,12 +255,13 @@ def least_chance(part):
                    100. * part, "%") if part <= 0.99 else chance(part)
 
 
-def interval(low, high):
-    """Bounds of what lies between 0 and 1: "17 to 100 %"."""
+def interval(low, high, limits=()):
+    """Bounds of what lies between 0 and 1, not rounded to one of the limits:
+    "17 to 100 %"."""
     if high < 0.001 or low > 0.99:
         return chance(high if high < 0.001 else low)
     low, high = ("0" if part < 5e-4 else "100" if part >= 0.995 else
-                 number(100. * part, 2)
+                 number(100. * part, digits_beside(limits, part, 2))
                  for part in (low, high))
     return f"{low} to {high}\u00a0%" if low != high else f"{low}\u00a0%"
 

@@ -90,7 +90,7 @@ def _by_the_numerics(entry):
     """The bounds of a probability in words; "" where they say no more."""
     if entry.error is None or entry.is_open:
         return ""
-    bounds = page.interval(*entry.bounds())
+    bounds = entry.shown_bounds()
     return "" if bounds == entry.shown() else f", by the numerics {bounds}"
 
 

@@ -14,6 +14,7 @@
 #include <contrecoup/geometry/body/body_layer.h>
 #include <contrecoup/geometry/mesh/hex_quality.h>
 #include <contrecoup/io/run/plan_table.h>
+#include <contrecoup/numerics/injury/body_mass.h>
 
 #include <algorithm>
 #include <cmath>
@@ -229,8 +230,7 @@ void PlannedScene::add_changes(const std::vector<ChangedEntry> &changes)
 
 double PlannedScene::person_mass() const
 {
-  constexpr double adult = 70.; // [kg], that of Bowen's curves
-  return has(Tissue::lung) ? body_mass_ : adult;
+  return has(Tissue::lung) ? body_mass_ : usual_body_mass;
 }
 
 

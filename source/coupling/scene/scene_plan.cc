@@ -70,7 +70,7 @@ namespace
   {
     return {"gravity_of_body",
             given.empty() ? "left out" : given + " m/s^2",
-            "speed due to gravity over that of the body",
+            "speed due to gravity over that of the body's centre of mass",
             "-",
             gravity * end_time / speed,
             unknown,
@@ -256,6 +256,8 @@ namespace
         if (!gap.empty())
           item.quantity += ", not measured, since " + gap;
       }
+      else if (item.name == "body_cells" || item.name == "symmetry")
+        item.measure(item.value); // of the geometry, which the run had
       else if (item.name == "skin")
         item.measure(stage_check(folder + "/blast", "loads_skin_area") /
                      skin_area(folder + "/anatomy"));

@@ -53,21 +53,17 @@ namespace
     return vector;
   }
 
-  BodyMotion motion_of_probes(const std::string &file, const double last)
+  /// Largest displacement of a probe until @p last [m].
+  double displacement_of_probes(const std::string &file, const double last)
   {
-    BodyMotion largest{not_measured, not_measured};
+    double largest = not_measured;
     const io::HistoryTable table = io::read_history(file);
     const std::vector<double> &times = table.column("time", file);
-    const auto norm = [&](const std::size_t first, const std::size_t row) {
-      return vector_at(table, first, row).norm();
-    };
     for (std::size_t i = 0; i + 2 < table.names.size(); ++i)
-      for (std::size_t row = 0; row < times.size(); ++row)
-        if (table.names[i].find("velocity_x") != std::string::npos)
-          largest.speed = std::fmax(largest.speed, norm(i, row));
-        else if (table.names[i].find("displacement_x") != std::string::npos &&
-                 times[row] <= last)
-          largest.displacement = std::fmax(largest.displacement, norm(i, row));
+      if (table.names[i].find("displacement_x") != std::string::npos)
+        for (std::size_t row = 0; row < times.size(); ++row)
+          if (times[row] <= last)
+            largest = std::fmax(largest, vector_at(table, i, row).norm());
     return largest;
   }
 
@@ -137,16 +133,13 @@ double largest_trunk_peak(const std::string &folder)
 BodyMotion measure_motion(const std::string &folder, const double last)
 {
   BodyMotion largest{not_measured, not_measured};
-  for (const auto &[table, motion_of] :
-       {std::pair{"/probes.csv", &motion_of_probes},
-        std::pair{"/history.csv", &motion_of_center}})
-    if (std::filesystem::exists(folder + table))
-    {
-      const BodyMotion motion = motion_of(folder + table, last);
-      largest.displacement =
-        std::fmax(largest.displacement, motion.displacement);
-      largest.speed = std::fmax(largest.speed, motion.speed);
-    }
+  if (const std::string file = folder + "/history.csv";
+      std::filesystem::exists(file))
+    largest = motion_of_center(file, last);
+  if (const std::string file = folder + "/probes.csv";
+      std::filesystem::exists(file))
+    largest.displacement =
+      std::fmax(largest.displacement, displacement_of_probes(file, last));
   return largest;
 }
 } // namespace contrecoup::coupling

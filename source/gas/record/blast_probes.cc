@@ -84,7 +84,7 @@ void BlastProbes<dim>::inherit(const std::size_t i, const Record &record)
   records_[i] = record;
   if (exposures_.empty())
     return;
-  exposures_[i].waves.first = record.peak;
+  exposures_[i].waves.inherit(record.peak);
   if (std::isnan(record.peak))
     exposures_[i].give_up();
   else if (record.peak > 0.)

@@ -165,8 +165,16 @@ namespace
   }
 
 
+  /// "a body mass of 78.5 kg (Bowen et al. 1968)".
+  std::string of_mass(const double body_mass)
+  {
+    return "a body mass of " + brief(body_mass) + " kg (Bowen et al. 1968)";
+  }
+
+
   std::string
-  lung_exposure_rows(const std::map<std::string, LoadInjury> &injuries)
+  lung_exposure_rows(const std::map<std::string, LoadInjury> &injuries,
+                     const double body_mass)
   {
     std::string text;
     for (const std::string &place : {chest, back, arms[0], arms[1]})
@@ -179,7 +187,8 @@ namespace
           found->second.lung_exposure,
           "-",
           "peak overpressure on the skin over the free-field load that half "
-          "survive for this positive phase and body mass (Bowen et al. 1968)",
+          "survive for this positive phase and " +
+            of_mass(body_mass),
           found->second.pulse.is_cut);
     }
     return text;
@@ -187,20 +196,23 @@ namespace
 
 
   /// What each of air_injury_quantities is.
-  const std::array<std::string, 5> air_injury_definitions{
-    {"side-on plus dynamic pressure over the load that half survive for this "
-     "positive phase, among products a longer one, and body mass (Bowen et al. "
-     "1968)",
-     "probability of death within 24 h by lung injury of a person who stands in "
-     "the open (Bowen et al. 1968)",
-     "probability by the side-on peak overpressure (TNO CPR 16E, 1992)",
-     "largest inward velocity of a mass on a spring before one lung under the "
-     "side-on overpressure alone (equation of Axelsson and Yelverton 1996); not "
-     "the mean over the four gauges of a blast test device, so that its levels "
-     "of injury do not hold",
-     "part of the positive impulse that the first wave has within the first "
-     "positive phase: 1 in a simple wave, for which alone the lung exposure is "
-     "defined"}};
+  std::array<std::string, 5> air_injury_definitions(const double body_mass)
+  {
+    return {
+      {"side-on plus dynamic pressure over the load that half survive for this "
+       "positive phase, among products a longer one, and " +
+         of_mass(body_mass),
+       "probability of death within 24 h by lung injury of a person who stands in "
+       "the open (Bowen et al. 1968)",
+       "probability by the side-on peak overpressure (TNO CPR 16E, 1992)",
+       "largest inward velocity of a mass on a spring before one lung under the "
+       "side-on overpressure alone (equation of Axelsson and Yelverton 1996); not "
+       "the mean over the four gauges of a blast test device, so that its levels "
+       "of injury do not hold",
+       "part of the positive impulse that the first wave has within the first "
+       "positive phase: 1 in a simple wave, for which alone the lung exposure is "
+       "defined"}};
+  }
 
 
   std::string
@@ -208,6 +220,7 @@ namespace
   {
     std::string rows;
     const auto values = air_injury_values(air, body_mass);
+    const auto definitions = air_injury_definitions(body_mass);
     const std::size_t n_values = values.size() - (with_chest ? 0 : 2);
     for (std::size_t k = 0; k < n_values; ++k)
       if (!std::isnan(values[k]))
@@ -215,7 +228,7 @@ namespace
                     air.place,
                     values[k],
                     air_injury_quantities[k].second,
-                    air_injury_definitions[k],
+                    definitions[k],
                     air_injury_quantities[k].first == "chest_wall_velocity" &&
                       air.exposure.chest.is_fastest_now());
     if (with_chest)
@@ -351,7 +364,7 @@ std::string gauge_injury_table(const std::vector<GaugeBlast> &gauges,
                   !(gauge.blast.peak > 0.) || is_end(gauge.peak_time, end));
   }
   const std::string rows = chest_wall_rows(injuries) + device_rows(injuries) +
-                           lung_exposure_rows(injuries) + ears;
+                           lung_exposure_rows(injuries, body_mass) + ears;
   return rows.empty() ? "" : header + rows;
 }
 

@@ -57,19 +57,6 @@ namespace io
                              0.85);
     }
 
-    /// Whether the mesh was the same from the first step of a stage to its
-    /// last.
-    bool is_constant(const TrialStage &stage)
-    {
-      return stage.cell_steps == stage.steps * stage.largest_cells;
-    }
-
-    /// Whether the mesh of the last stage changed in a trial.
-    bool has_changed(const Trial &trial)
-    {
-      return !trial.stages.empty() && !is_constant(trial.stages.back());
-    }
-
     /// Powers of refinement with which steps of a stage of the last trial grow.
     Powers powers_of_steps(const std::vector<Trial> &trials,
                            const TrialStage &stage)
@@ -105,7 +92,7 @@ namespace io
                    const double cells_last) const
       {
         const bool is_last = &stage == &last.stages.back();
-        if (!is_constant(stage) || (is_last && adapts))
+        if (!stage.is_constant() || (is_last && adapts))
           return extrapolate_cells(
             cells_before, cells_last, last.levels, stage.dimension, gap());
         if (is_last && last.known_cells > 0. && last.levels > 0)
@@ -271,14 +258,14 @@ namespace io
     }
 
     /// Whether trials before the last one predict its steps; one level that is
-    /// left is believed without.
+    /// left is believed without, if the last one tells of it.
     bool knows_steps(const std::vector<Trial> &trials,
                      const bool adapts,
                      const dealii::ParameterHandler &prm)
     {
       const Trial &last = trials.back();
       if (trials.size() < 3)
-        return last.levels <= 1;
+        return last.levels <= 1 && (!adapts || !last.has_few_steps());
       std::vector<Trial> earlier(trials.begin(), trials.end() - 1);
       for (Trial &trial : earlier)
         trial.levels -= last.levels;
@@ -422,7 +409,7 @@ namespace io
       // Extrapolation needs at least two trials, the last with refined cells
       // where the mesh changes.
       const bool is_informed =
-        !adapts || trials.empty() || has_changed(trials.back());
+        !adapts || trials.empty() || trials.back().tells_of_finer();
       const double allowed =
         set ? std::numeric_limits<double>::infinity()
             : std::clamp(is_informed ? long_run_part * result.seconds

@@ -326,9 +326,12 @@ void RecordedLoads::measure_impulses()
   }
   const auto magnitudes = require_arrival(impulse);
   sum_impulses(recorded, mapped);
-  pushes_cancel_ = largest_recorded_impulse_ < least_push * magnitudes.first;
-  if (pushes_cancel_)
+  pushes_left_.reset();
+  if (largest_recorded_impulse_ < least_push * magnitudes.first)
+  {
+    pushes_left_ = {largest_recorded_impulse_, largest_mapped_impulse_};
     std::tie(largest_recorded_impulse_, largest_mapped_impulse_) = magnitudes;
+  }
   choose_factor();
 }
 
@@ -339,21 +342,23 @@ void RecordedLoads::choose_factor()
     largest_mapped_impulse_ / std::max(largest_recorded_impulse_, 1e-300);
   const bool is_near = std::abs(ratio - 1.) < largest_correction_;
   const bool is_warned = !is_near && largest_correction_ > 0.;
-  factor_ = keeps_impulse_ && is_near && !pushes_cancel_ ? 1. / ratio : 1.;
-  log_line((is_warned ? "WARNING: " : "") +
-           std::string("Loads/Recorded: the loads on this body have ") +
-           brief(ratio) +
-           (pushes_cancel_ ? " times the recorded impulses, of all facets as "
-                             "magnitudes, since pushes from opposite sides "
-                             "cancel"
-                           : " times the recorded impulse at its largest") +
-           "; pressures are " +
-           (factor_ == 1. ? "as recorded"
-                          : "multiplied by " + brief(factor_) +
-                              ", which makes the impulses equal") +
-           (is_warned ? "; smaller cells of the blast at the skin bring the "
-                        "surfaces together"
-                      : ""));
+  factor_ = keeps_impulse_ && is_near && !pushes_left_ ? 1. / ratio : 1.;
+  log_line(
+    (is_warned ? "WARNING: " : "") +
+    std::string("Loads/Recorded: the loads on this body have ") + brief(ratio) +
+    (pushes_left_ ? " times the recorded impulses, of all facets as "
+                    "magnitudes, since pushes from opposite sides "
+                    "cancel; of these are left " +
+                      brief(pushes_left_->second, 3) + " N s where " +
+                      brief(pushes_left_->first, 3) + " N s were recorded"
+                  : " times the recorded impulse at its largest") +
+    "; pressures are " +
+    (factor_ == 1. ? "as recorded"
+                   : "multiplied by " + brief(factor_) +
+                       ", which makes the impulses equal") +
+    (is_warned ? "; smaller cells of the blast at the skin bring the "
+                 "surfaces together"
+               : ""));
 }
 
 
@@ -456,8 +461,11 @@ std::vector<NamedValue> RecordedLoads::check_values() const
     {"loads_impulse_factor", "-", factor_},
     {"loads_largest_recorded_impulse", "N s", largest_recorded_impulse_},
     {"loads_largest_mapped_impulse", "N s", factor_ * largest_mapped_impulse_}};
-  if (pushes_cancel_)
-    values.push_back({"loads_pushes_cancel", "-", 1.});
+  if (pushes_left_)
+    values.insert(values.end(),
+                  {{"loads_pushes_cancel", "-", 1.},
+                   {"loads_largest_recorded_push", "N s", pushes_left_->first},
+                   {"loads_largest_mapped_push", "N s", pushes_left_->second}});
   for (unsigned int d = 0; d < 3; ++d)
   {
     const std::string axis(1, "xyz"[d]);

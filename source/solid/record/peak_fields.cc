@@ -203,8 +203,8 @@ bool PeakFields<Real>::is_straining(const SolidBody<Real> &body,
                                     const unsigned int tissue) const
 {
   const std::vector<double> &volumes = averages_[tissue].volumes();
-  std::vector<double> sums{
-    straining_[tissue], std::accumulate(volumes.begin(), volumes.end(), 0.)};
+  std::vector<double> sums{straining_[tissue],
+                           std::accumulate(volumes.begin(), volumes.end(), 0.)};
   dealii::Utilities::MPI::sum(sums, body.communicator(), sums);
   return sums[0] > tail * sums[1];
 }

@@ -360,8 +360,8 @@ std::vector<NamedValue> SolidSimulation<Real>::checks()
   const std::initializer_list<NamedValue> others{
     {"quiet_elements", "-", body_.skipped_fraction()},
     {"stable_step", "s", stable_step_},
-    {"element_step", "s", stability_.element_step},
-    {"body_step", "s", stability_.body_step},
+    {"element_step", "s", options_.step_factor() * stability_.element_step},
+    {"body_step", "s", options_.step_factor() * stability_.body_step},
     {"least_volume", "-", body_.least_volume()},
     {"loaded_facets",
      "-",

@@ -21,11 +21,11 @@ double skin_area(const std::string &folder);
 /// Largest overpressure at the gauges of the trunk [Pa].
 double largest_trunk_peak(const std::string &folder);
 
-/// Largest motion of a body, at its probes or of its centre of mass.
+/// Largest motion of a body.
 struct BodyMotion
 {
-  double displacement; ///< [m]
-  double speed;        ///< [m/s]
+  double displacement; ///< at its probes or of its centre of mass [m]
+  double speed;        ///< of its centre of mass [m/s]
 };
 
 /// Motion in the tables of biomechanics.

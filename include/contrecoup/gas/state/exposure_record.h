@@ -24,7 +24,7 @@ namespace contrecoup::gas
  */
 struct ExposureRecord
 {
-  static constexpr unsigned int n_values = 17;
+  static constexpr unsigned int n_values = 18;
 
   /// Density that no shock in air reaches [kg/m^3].
   static constexpr double densest_air = 100.;

@@ -19,11 +19,15 @@ namespace contrecoup::gas
  */
 struct WavePeaks
 {
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+
   double first = 0.;      ///< overpressure [Pa]
   double later = 0.;      ///< largest of later waves [Pa]; 0: none so far
   double later_time = 0.; ///< [s]
-  /// Least overpressure since the first rise [Pa].
-  double lowest = std::numeric_limits<double>::infinity();
+  /// Least overpressure since the first rise [Pa]; minus infinity while that
+  /// may go on after inherit().
+  double lowest = infinity;
+  double last = 0.; ///< overpressure at the end of the last step [Pa]
   /// Positive impulse up to the least overpressure before any later wave [Pa
   /// s].
   double first_impulse = 0.;
@@ -40,6 +44,14 @@ struct WavePeaks
       first = record.peak;
       return;
     }
+    const bool is_rising = overpressure > last;
+    last = overpressure;
+    if (lowest == -infinity)
+    {
+      if (is_rising)
+        return;
+      lowest = infinity;
+    }
     if (overpressure < lowest)
     {
       lowest = overpressure;
@@ -52,6 +64,14 @@ struct WavePeaks
       later = overpressure;
       later_time = time;
     }
+  }
+
+  /// Continues a first wave of a known @p peak [Pa] in other cells, which may
+  /// smear its front: what that falls by and rises again is no later wave.
+  void inherit(const double peak)
+  {
+    first = peak;
+    lowest = last = -infinity;
   }
 
   /// Part of the @p total positive impulse [Pa s] that belongs to the first

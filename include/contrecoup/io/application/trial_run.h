@@ -27,6 +27,12 @@ namespace io
     double largest_cells = 0.; ///< largest number of cells
     /// processor time of the slowest rank, without setup [s]
     double seconds = 0.;
+
+    /// Whether the mesh was the same from the first step to the last.
+    bool is_constant() const
+    {
+      return cell_steps == steps * largest_cells;
+    }
   };
 
   /// Measurements of a trial run.
@@ -60,6 +66,23 @@ namespace io
 
     /// Least part from which what is missing is extrapolated.
     static constexpr double least_part = 0.02;
+
+    /// Whether a stage in space had but a few steps, as on cells that are too
+    /// large to be refined, and so tells nothing of a finer one.
+    bool has_few_steps() const
+    {
+      return std::any_of(
+        stages.begin(), stages.end(), [](const TrialStage &stage) {
+          return stage.dimension > 1 && stage.steps < 10.;
+        });
+    }
+
+    /// Whether the mesh of the last stage changed, after enough steps in all.
+    bool tells_of_finer() const
+    {
+      return !stages.empty() && !stages.back().is_constant() &&
+             !has_few_steps();
+    }
 
     bool is_stopped() const
     {

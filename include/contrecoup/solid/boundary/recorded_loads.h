@@ -11,6 +11,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -105,6 +106,8 @@ private:
   /// cancel, sums of magnitudes [N s].
   double largest_recorded_impulse_ = 0.;
   double largest_mapped_impulse_ = 0.; ///< without the factor
-  bool pushes_cancel_ = false;
+  /// What is left where pushes cancel, recorded and on this surface, at the
+  /// time when the former is largest [N s].
+  std::optional<std::pair<double, double>> pushes_left_;
 };
 } // namespace contrecoup::solid
