@@ -426,7 +426,7 @@ def accepted():
            shipped(SCENE, near, entry("Body/Phantom/Stature", "1.62"),
                    entry("Body/Phantom/Mass", "58"),
                    entry("Body/Rotation", "0, 0, 90")),
-           "before a standing person of 1.62 m and 58 kg")
+           "and a standing person of 1.62 m and 58 kg")
     yield ("a cell size between two", "scene",
            shipped(SCENE, near, entry("Scene/Cell size", "0.03")),
            "Scene/Cell size = 0.03 m is an upper bound: cells are 160 mm over a "

@@ -180,7 +180,7 @@ void PlannedScene::print(const bool with_plan) const
 {
   show_line("scene " + version() + " (" + git_revision() +
             "): " + brief(parameters_.mass) + " kg of " +
-            parameters_.explosive.title + " before " + person_->description() +
+            parameters_.explosive.title + " and " + person_->description() +
             ", " + distance_in_words(parameters_, *layout_) + ", " +
             brief(layout_->charge[2]) + " m above the ground; cells of " +
             brief(1e3 * layout_->cell_size()) + " mm at the skin" +

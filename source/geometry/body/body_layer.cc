@@ -178,8 +178,7 @@ namespace
     return words_of(layers) + " thinner than the elements of " +
            millimetres(element_size) + ", so that " +
            (layers.size() > 1 ? "they have" : "it has") +
-           " holes or no element; " +
-           remedy(layers, entry, "the holes");
+           " holes or no element; " + remedy(layers, entry, "the holes");
   }
 } // namespace
 

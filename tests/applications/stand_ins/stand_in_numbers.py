@@ -15,7 +15,7 @@ import sys
 HERE = os.path.dirname(os.path.abspath(__file__))
 # Lines of the screen; a flaw has another number in place of one.
 HEAD = """\
-scene 0.1.0 (abc123): 2.268 kg of C-4 before a standing person of 1.76 m and \
+scene 0.1.0 (abc123): 2.268 kg of C-4 and a standing person of 1.76 m and \
 78.5 kg, 2.337 m from the nearest skin, 1.27 m above the ground; cells of 20 mm \
 at the skin, elements of 10 mm
   expected in free air: the front reaches the body at 1.8 ms with 314 kPa
