@@ -54,22 +54,11 @@ class Place:
         return self.name + self.remark
 
 
-def is_thin(scene, tissue):
-    """Whether the elements leave holes in the layers of a tissue, by its name,
-    and so in what the run says of it; unknown of scenes before 0.2.0."""
+def is_thin(scene, name):
+    """Whether the elements leave holes in the layers of a tissue or a part, and
+    so in what the run says of it; unknown of scenes before 0.2.0."""
     return bool(scene.biomechanics.found(
-        "checks", "thin_" + tissue.replace(" ", "_")))
-
-
-def is_in_pieces(scene, part):
-    """Whether the elements of a part of the body do not hang together."""
-    path = scene.anatomy.path("quality.csv")
-    if not os.path.exists(path):
-        return False
-    with files.reading(path), open(path, newline="", encoding="utf-8") as file:
-        return any(row["kind"] == "part" and row["name"] == part
-                   and int(row["connected components"]) > 1
-                   for row in files.rows_of(file))
+        "checks", "thin_" + name.replace(" ", "_")))
 
 
 def thin_note(titles):
@@ -88,7 +77,7 @@ def find_places(scene):
         # The skull is a layer, but not the rest of the skeleton.
         if not place.remark and (
                 is_thin(scene, called.get(place.tissue, ""))
-                or place.name == "skull" and is_in_pieces(scene, "skull")):
+                or place.name == "skull" and is_thin(scene, "skull")):
             place.remark = THIN
     return places
 

@@ -209,8 +209,9 @@ def _checks(scene):
         left = load_impulses.pushes_left(scene)
         if left is not None:
             items[-1] += (
-                f" What cancels leaves {page.quantity(left[0], 'N s')} as "
-                f"recorded and {page.quantity(left[1], 'N s')} on the elements.")
+                f" What cancels leaves {page.quantity(left[0], 'N s')} of the "
+                "recorded one when that is largest, "
+                f"{page.quantity(left[1], 'N s')} on the elements then.")
     loss = scene.blast.found("checks", "loads_sampled_peak_loss")
     if loss is not None:
         items.append("Recording: samples miss at most "

@@ -132,9 +132,9 @@ def _step_of_stages(scene):
         if row.get("item") == "first_stage" \
                 and str(row.get("found")).endswith(" m"):
             place = row["found"].replace(" ", "\u00a0")
-            return (f" Peaks may have a step some {place} from the charge: the "
-                    "first stage, which ends with its front there, has smaller "
-                    "cells and higher peaks.")
+            return (" Peaks may have a step where the first stage ended, "
+                    f"within {place} of the charge: it has smaller cells, which "
+                    "give higher peaks.")
     return ""
 
 

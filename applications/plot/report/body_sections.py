@@ -34,7 +34,7 @@ ENERGIES = (("external_work", "work of the loads"),
             ("bulk_viscosity_energy", "lost by bulk viscosity"),
             ("hourglass_energy", "hourglass energy"),
             ("hourglass_damping_energy", "lost by hourglass damping"),
-            ("pressure_smoothing_energy", "stored and lost by pressure smoothing"),
+            ("pressure_smoothing_energy", "in pressure smoothing"),
             ("contact_energy", "in the contact with the ground"),
             ("energy_residual", "missing energy"))
 

@@ -578,9 +578,9 @@ def _loads(scene):
     if left is not None \
             and load_impulses.difference_of_motion(scene) > LARGE_PUSH_DIFFERENCE:
         lines.append(
-            "Pushes from opposite sides cancel: what is left moves the body with "
-            f"{page.quantity(left[1], 'N s')}, where "
-            f"{page.quantity(left[0], 'N s')} were recorded on the skin.")
+            "Pushes from opposite sides cancel: when what is left of those on "
+            f"the skin is largest, {page.quantity(left[0], 'N s')}, its elements "
+            f"have got {page.quantity(left[1], 'N s')}.")
     return lines
 
 

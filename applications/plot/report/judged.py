@@ -72,8 +72,8 @@ class Judged:
         """The value of this run, or another one, which may be a lower limit, in
         words."""
         is_limit = is_limit or (value is None and self.is_cut)
+        limits = () if value is not None else self.limits_of_verdicts()
         value = self.value if value is None else value
-        limits = self.limits_of_verdicts()
         if self.is_fraction:
             return page.least_chance(value) if is_limit \
                 else page.chance(value, limits)

@@ -237,6 +237,17 @@ namespace
              : "";
   }
 
+  /// End of the positive phase beside the body as the run has it, where it has
+  /// one, else by the tables [s].
+  double end_of_phase(const SceneLayout &layout, const std::string &blast)
+  {
+    const double end = stage_result(blast, "probe_1_arrival") +
+                       stage_result(blast, "probe_1_duration");
+    return layout.probe && std::isfinite(end)
+             ? end
+             : layout.arrival + layout.positive_phase;
+  }
+
   /// The same with what a run measured: neither the rise by afterburn nor the
   /// difference from other models.
   std::vector<Assumption> found_of_charge(const SceneParameters &scene,
@@ -316,7 +327,7 @@ namespace
   {
     const std::string solid = folder + "/biomechanics";
     const BodyMotion motion =
-      measure_motion(solid, layout.arrival + layout.positive_phase);
+      measure_motion(solid, end_of_phase(layout, folder + "/blast"));
     const std::vector<Assumption> found =
       task_items(folder, "biomechanics", "measured");
     std::vector<Assumption> items;

@@ -5,6 +5,8 @@
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/gas/record/blast_probes.h>
 
+#include <deal.II/grid/grid_tools.h>
+
 #include <cmath>
 #include <istream>
 #include <ostream>
@@ -79,16 +81,27 @@ void BlastProbes<dim>::add(const std::size_t i,
 
 
 template <int dim>
-void BlastProbes<dim>::inherit(const std::size_t i, const Record &record)
+void BlastProbes<dim>::inherit(const KnownRecord<dim> &record,
+                               const GasSnapshot<dim> &gas)
 {
-  records_[i] = record;
-  if (exposures_.empty())
-    return;
-  exposures_[i].waves.inherit(record.peak);
-  if (std::isnan(record.peak))
-    exposures_[i].give_up();
-  else if (record.peak > 0.)
-    exposures_[i].continue_after(record, ambient_[i]);
+  // In this time any front is some cells farther.
+  constexpr double diagonals = 1.5, slowest_front = 330.; // [m/s]
+  const double smeared_until =
+    gas.time +
+    diagonals / slowest_front *
+      dealii::GridTools::minimal_cell_diameter(gas.mesh.triangulation());
+  for (std::size_t i = 0; i < places_.size(); ++i)
+    if (const auto known = record(places_[i]))
+    {
+      records_[i] = *known;
+      if (exposures_.empty())
+        continue;
+      exposures_[i].waves.inherit(known->peak, smeared_until);
+      if (std::isnan(known->peak))
+        exposures_[i].give_up();
+      else if (known->peak > 0.)
+        exposures_[i].continue_after(*known, ambient_[i]);
+    }
 }
 
 

@@ -216,11 +216,10 @@ void ProbeRasters<dim>::mesh_changed(const GasSnapshot<dim> &gas)
 
 template <int dim>
 void ProbeRasters<dim>::inherit(const KnownRecord<dim> &record,
-                                const GasSnapshot<dim> & /*gas*/)
+                                const GasSnapshot<dim> &gas)
 {
-  for (std::size_t i = 0; i < probes_.size() && !is_taken_; ++i)
-    if (const auto known = record(probes_.places()[i]))
-      probes_.inherit(i, *known);
+  if (!is_taken_)
+    probes_.inherit(record, gas);
 }
 
 

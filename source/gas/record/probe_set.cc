@@ -113,11 +113,10 @@ void ProbeSet<dim>::begin(const GasSnapshot<dim> &gas)
 
 template <int dim>
 void ProbeSet<dim>::inherit(const KnownRecord<dim> &record,
-                            const GasSnapshot<dim> & /*gas*/)
+                            const GasSnapshot<dim> &gas)
 {
-  for (std::size_t i = 0; i < probes_.size() && !is_continued_; ++i)
-    if (const auto known = record(places()[i]))
-      probes_.inherit(i, *known);
+  if (!is_continued_)
+    probes_.inherit(record, gas);
 }
 
 

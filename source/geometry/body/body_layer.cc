@@ -35,13 +35,17 @@ namespace
   std::vector<BodyLayer> layers_of_phantom(ParameterHandler &prm)
   {
     const Section section(prm, "Phantom");
-    // See phantom::make_nerves().
-    constexpr double fluid = 0.0025, cord = 0.011, stature = 1.756;
-    const double fluid_here = fluid * read_double(prm, "Head scale"),
-                 cord_here = cord * read_double(prm, "Stature") / stature;
-    std::vector<BodyLayer> layers{
-      {"cerebrospinal fluid", fluid_here, "Body/Phantom", fluid_here},
-      {"spinal cord", cord_here, "Body/Phantom", cord_here}};
+    // See make_nerves() and make_skull(), whose vault has this mean thickness.
+    constexpr double fluid = 0.0025, skull = 0.0065, cord = 0.011,
+                     stature = 1.756;
+    const double head = read_double(prm, "Head scale"),
+                 height = read_double(prm, "Stature") / stature;
+    std::vector<BodyLayer> layers;
+    for (const auto &[part, thickness] :
+         {std::pair{"cerebrospinal fluid", fluid * head},
+          std::pair{"skull", skull * head},
+          std::pair{"spinal cord", cord * height}})
+      layers.push_back({part, thickness, "Body/Phantom", thickness});
     const double skin = read_double(prm, "Skin thickness");
     if (skin > 0.)
       layers.push_back({"skin", skin, "Body/Phantom/Skin thickness"});
@@ -49,7 +53,7 @@ namespace
   }
 
 
-  /// The phantom's fluid and cord, as they are before the warp to the person.
+  /// The phantom's layers, as they are before the warp to the person.
   std::vector<BodyLayer> layers_of_inserted_organs(ParameterHandler &prm)
   {
     {
@@ -58,7 +62,7 @@ namespace
         return {};
     }
     std::vector<BodyLayer> layers = layers_of_phantom(prm);
-    layers.resize(2);
+    layers.resize(3); // without skin
     return layers;
   }
 
@@ -170,15 +174,25 @@ namespace
   }
 
 
-  /// The line about these layers.
-  std::string line_of(const std::vector<BodyLayer> &layers,
+  /// The line about layers that are thinner than an element, and about others
+  /// that are thinner than its diagonal.
+  std::string line_of(std::vector<BodyLayer> thin,
+                      const std::vector<BodyLayer> &others,
                       const double element_size,
                       const std::string &entry)
   {
-    return words_of(layers) + " thinner than the elements of " +
-           millimetres(element_size) + ", so that " +
-           (layers.size() > 1 ? "they have" : "it has") +
-           " holes or no element; " + remedy(layers, entry, "the holes");
+    const std::string elements = "elements of " + millimetres(element_size);
+    std::vector<std::string> parts;
+    if (!thin.empty())
+      parts.push_back(
+        words_of(thin) + " thinner than the " + elements + ", so that " +
+        (thin.size() > 1 ? "they have" : "it has") + " holes or no element");
+    if (!others.empty())
+      parts.push_back(words_of(others) + " thinner than the diagonal of " +
+                      (thin.empty() ? elements : "these") +
+                      " and may be in pieces");
+    thin.insert(thin.end(), others.begin(), others.end());
+    return join(parts, "; ") + "; " + remedy(thin, entry, "the holes");
   }
 } // namespace
 
@@ -217,7 +231,7 @@ std::vector<std::string> thin_layer_lines(const std::vector<BodyLayer> &layers,
                                           const double usual_size,
                                           const std::string &entry)
 {
-  std::vector<BodyLayer> warned, remarked;
+  std::vector<BodyLayer> warned, remarked, in_pieces;
   for (const BodyLayer &layer : layers)
     if (is_thin(layer, element_size))
       (layer.thickness * usual_size <
@@ -226,11 +240,14 @@ std::vector<std::string> thin_layer_lines(const std::vector<BodyLayer> &layers,
          ? warned
          : remarked)
         .push_back(layer);
+    else if (layer.thickness == layer.usual &&
+             has_large_elements(layer, element_size))
+      in_pieces.push_back(layer);
   std::vector<std::string> lines;
   if (!warned.empty())
-    lines.push_back("WARNING: " + line_of(warned, element_size, entry));
-  if (!remarked.empty())
-    lines.push_back(line_of(remarked, element_size, entry));
+    lines.push_back("WARNING: " + line_of(warned, {}, element_size, entry));
+  if (!remarked.empty() || !in_pieces.empty())
+    lines.push_back(line_of(remarked, in_pieces, element_size, entry));
   return lines;
 }
 

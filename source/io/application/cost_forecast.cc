@@ -303,7 +303,7 @@ namespace io
         cost.steps = 0.;
       if (adapts && !knows_cells(trials))
         cost.cells = cost.unknowns = cost.memory = cost.output = 0.;
-      if (!(cost.steps > 0.) && !(cost.cells > 0.))
+      if (!(cost.steps > 0.) || !(cost.cells > 0.))
         cost.seconds = 0.;
     }
 

@@ -21,6 +21,7 @@
 #include <deal.II/grid/manifold_lib.h>
 #include <deal.II/grid/tria_description.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -181,17 +182,29 @@ double MeshDescription::phantom_mass() const
 }
 
 
-std::set<Tissue> MeshDescription::thin_tissues(const HexMesh &mesh) const
+std::set<std::string> MeshDescription::thin_parts(const HexMesh &mesh) const
 {
   if (layers_.empty())
     return {};
   const auto n_pieces = count_components(mesh, mesh.part);
-  std::set<Tissue> found;
-  for (const BodyLayer &layer : layers_)
-    for (std::size_t i = 0; i < mesh.parts.size(); ++i)
-      if (mesh.parts[i].name == layer.part && n_pieces[i] > 0 &&
-          has_holes(layer, n_pieces[i], element_size_))
-        found.insert(mesh.parts[i].tissue);
+  const auto is_thin = [&](const std::size_t i) {
+    return std::any_of(
+      layers_.begin(), layers_.end(), [&](const BodyLayer &layer) {
+        return mesh.parts[i].name == layer.part &&
+               has_holes(layer, n_pieces[i], element_size_);
+      });
+  };
+  std::set<std::string> found;
+  for (std::size_t i = 0; i < mesh.parts.size(); ++i)
+  {
+    if (n_pieces[i] == 0 || !is_thin(i))
+      continue;
+    bool is_all = true; // of its tissue
+    for (std::size_t j = 0; j < mesh.parts.size(); ++j)
+      is_all = is_all && (mesh.parts[j].tissue != mesh.parts[i].tissue ||
+                          n_pieces[j] == 0 || is_thin(j));
+    found.insert(is_all ? name_of(mesh.parts[i].tissue) : mesh.parts[i].name);
+  }
   return found;
 }
 

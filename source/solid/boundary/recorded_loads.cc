@@ -343,22 +343,23 @@ void RecordedLoads::choose_factor()
   const bool is_near = std::abs(ratio - 1.) < largest_correction_;
   const bool is_warned = !is_near && largest_correction_ > 0.;
   factor_ = keeps_impulse_ && is_near && !pushes_left_ ? 1. / ratio : 1.;
-  log_line(
-    (is_warned ? "WARNING: " : "") +
-    std::string("Loads/Recorded: the loads on this body have ") + brief(ratio) +
-    (pushes_left_ ? " times the recorded impulses, of all facets as "
-                    "magnitudes, since pushes from opposite sides "
-                    "cancel; of these are left " +
-                      brief(pushes_left_->second, 3) + " N s where " +
-                      brief(pushes_left_->first, 3) + " N s were recorded"
-                  : " times the recorded impulse at its largest") +
-    "; pressures are " +
-    (factor_ == 1. ? "as recorded"
-                   : "multiplied by " + brief(factor_) +
-                       ", which makes the impulses equal") +
-    (is_warned ? "; smaller cells of the blast at the skin bring the "
-                 "surfaces together"
-               : ""));
+  log_line((is_warned ? "WARNING: " : "") +
+           std::string("Loads/Recorded: the loads on this body have ") +
+           brief(ratio) +
+           (pushes_left_ ? " times the recorded impulses, of all facets as "
+                           "magnitudes, since pushes from opposite sides "
+                           "cancel; when most is left of the recorded ones, " +
+                             brief(pushes_left_->first, 3) +
+                             " N s, the elements have got " +
+                             brief(pushes_left_->second, 3) + " N s"
+                         : " times the recorded impulse at its largest") +
+           "; pressures are " +
+           (factor_ == 1. ? "as recorded"
+                          : "multiplied by " + brief(factor_) +
+                              ", which makes the impulses equal") +
+           (is_warned ? "; smaller cells of the blast at the skin bring the "
+                        "surfaces together"
+                      : ""));
 }
 
 

@@ -113,7 +113,7 @@ void SolidSimulation<Real>::build()
   {
     const TimerScope timer("mesh");
     mesh = mesh_description_.create();
-    thin_tissues_ = mesh_description_.thin_tissues(mesh);
+    thin_parts_ = mesh_description_.thin_parts(mesh);
   }
   body_.set_smallest_step(smallest_step_ / (safety_ * options_.step_factor()));
   body_.set_slip(slip_);
@@ -377,8 +377,11 @@ std::vector<NamedValue> SolidSimulation<Real>::checks()
        has_brain(find_held_tissues(body_.mesh(), supports_, communicator_))
          ? 1.
          : 0.});
-  for (const Tissue tissue : thin_tissues_)
-    values.push_back({tissue_column("thin", tissue), "-", 1.});
+  for (std::string name : thin_parts_)
+  {
+    std::replace(name.begin(), name.end(), ' ', '_');
+    values.push_back({"thin_" + name, "-", 1.});
+  }
   for (const NamedValue &value : body_.mass_scaling().report())
     values.push_back(value);
   for (const NamedValue &value :

@@ -951,8 +951,7 @@ def check_energy(page, files):
              "lost by bulk viscosity": "bulk_viscosity_energy",
              "hourglass energy": "hourglass_energy",
              "lost by hourglass damping": "hourglass_damping_energy",
-             "stored and lost by pressure smoothing":
-                 "pressure_smoothing_energy",
+             "in pressure smoothing": "pressure_smoothing_energy",
              "in the contact with the ground": "contact_energy",
              "missing energy": "energy_residual"}
     rows = page.table("Energy of the body").records()

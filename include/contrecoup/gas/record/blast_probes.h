@@ -67,8 +67,8 @@ public:
            const double time,
            const double step);
 
-  /// Continues the record of an earlier stage at probe @p i.
-  void inherit(const std::size_t i, const Record &record);
+  /// Continues the records of an earlier stage. Collective.
+  void inherit(const KnownRecord<dim> &record, const GasSnapshot<dim> &gas);
 
   Exposure exposure() const
   {

@@ -19,15 +19,12 @@ namespace contrecoup::gas
  */
 struct WavePeaks
 {
-  static constexpr double infinity = std::numeric_limits<double>::infinity();
-
   double first = 0.;      ///< overpressure [Pa]
   double later = 0.;      ///< largest of later waves [Pa]; 0: none so far
   double later_time = 0.; ///< [s]
-  /// Least overpressure since the first rise [Pa]; minus infinity while that
-  /// may go on after inherit().
-  double lowest = infinity;
-  double last = 0.; ///< overpressure at the end of the last step [Pa]
+  /// Least overpressure since the first rise [Pa].
+  double lowest = std::numeric_limits<double>::infinity();
+  double smeared_until = 0.; ///< see inherit() [s]
   /// Positive impulse up to the least overpressure before any later wave [Pa
   /// s].
   double first_impulse = 0.;
@@ -44,14 +41,8 @@ struct WavePeaks
       first = record.peak;
       return;
     }
-    const bool is_rising = overpressure > last;
-    last = overpressure;
-    if (lowest == -infinity)
-    {
-      if (is_rising)
-        return;
-      lowest = infinity;
-    }
+    if (time < smeared_until)
+      return;
     if (overpressure < lowest)
     {
       lowest = overpressure;
@@ -66,12 +57,13 @@ struct WavePeaks
     }
   }
 
-  /// Continues a first wave of a known @p peak [Pa] in other cells, which may
-  /// smear its front: what that falls by and rises again is no later wave.
-  void inherit(const double peak)
+  /// Continues a first wave of a known @p peak [Pa] in other cells, which smear
+  /// its front if it is near: what that falls by and rises again, @p until this
+  /// time [s], is no later wave.
+  void inherit(const double peak, const double until)
   {
     first = peak;
-    lowest = last = -infinity;
+    smeared_until = until;
   }
 
   /// Part of the @p total positive impulse [Pa s] that belongs to the first

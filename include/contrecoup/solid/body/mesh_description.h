@@ -34,8 +34,9 @@ public:
   /// Builds the mesh. @throws InputError when a file cannot be used
   HexMesh create() const;
 
-  /// Tissues of layers in which the elements of create() leave holes.
-  std::set<Tissue> thin_tissues(const HexMesh &mesh) const;
+  /// Names of the layers in which the elements of create() leave holes: of
+  /// their tissue if that has no other parts, else of the part.
+  std::set<std::string> thin_parts(const HexMesh &mesh) const;
 
   /// Mass of the phantom that the body is [kg]; NaN for other bodies.
   double phantom_mass() const;

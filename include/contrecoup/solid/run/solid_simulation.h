@@ -93,7 +93,7 @@ private:
 
   MPI_Comm communicator_;
   MeshDescription mesh_description_;
-  std::set<Tissue> thin_tissues_; ///< with holes in their layers
+  std::set<std::string> thin_parts_; ///< with holes in their layers
   SolidMaterials materials_;
   ElementOptions options_;
   Supports supports_;
