@@ -140,6 +140,23 @@ TEST(Shape, ProjectionIsOnTheSurface)
 }
 
 
+// In the plane of symmetry between two legs, gradients lead to what is behind.
+TEST(Shape, NearestPointIsThatOfTheNearerLegs)
+{
+  const auto ball = [](const Point<3> &center) {
+    return std::make_shared<Ellipsoid>(center, Point<3>(0.1, 0.1, 0.1));
+  };
+  const Union body(
+    {ball({0., 0.3, 0.}), ball({0., -0.3, 0.}), ball({-0.5, 0., 0.})});
+  for (const double y : {0., 0.01})
+  {
+    const Point<3> charge(1., y, 0.);
+    EXPECT_NEAR(charge.distance(body.nearest(charge)),
+                Point<3>(1., 0.3 - y, 0.).norm() - 0.1,
+                1e-6);
+  }
+}
+
 TEST(Shape, BoundingBoxHoldsTheShape)
 {
   for (const Case &c : cases())

@@ -463,7 +463,7 @@ class PickedTest(unittest.TestCase):
         self.assertEqual(
             self.words(run),
             "Times are those of outputs that are the nearest to states of the "
-            "impact once it can be seen: 1.20 ms to first contact (1.00 ms); 1.80 ms to largest "
+            "impact from the first contact on: 1.20 ms to first contact (1.00 ms); 1.80 ms to largest "
             "force (1.78 ms); 2.60 ms to rebound (2.51 ms); 4.00 ms to end of "
             "contact (3.99 ms).")
         flow = [types.SimpleNamespace(time=time) for time, _ in run.picked()]

@@ -23,7 +23,6 @@ PUBLISHED_SIZES = {"Semi-axes": 0.08, "CSF thickness": 0.004,
 STATES = ("first contact", "largest force", "rebound", "end of contact")
 FLOW_STATES = STATES[1::2]
 LEAST_PANELS = 4
-SEEN = 0.02  # of the contact, until when an impact is not seen yet
 # Beside a plane of symmetry, where cells have a face, over the head's size.
 BESIDE = 1e-4
 # What layers are called as tissues of a file.
@@ -186,8 +185,8 @@ class HeadRun(Stage):
             return later, end
         # Until the contact has begun there is nothing to be seen.
         begin = states.get(STATES[0], 0.)
-        return [entry for entry in later if entry[0] > begin + SEEN * (
-            end - begin)] or later[-1:], end
+        return [entry for entry in later if entry[0] > begin] \
+            or later[-1:], end
 
     def outputs_of_states(self):
         """Names of the states of the impact by the times of the outputs that are

@@ -329,7 +329,7 @@ def choice(run, times):
     return ("Times are those of the published pictures, as far as there are "
             "outputs" if run.is_published() else
             "Times are those of outputs that are the nearest to states of the "
-            "impact once it can be seen: " + "; ".join(told)) + (
+            "impact from the first contact on: " + "; ".join(told)) + (
         "" if not others else f"; {page.moments(others)} "
         + ("are" if len(others) > 1 else "is") + " shown beside these"
         ) + "."

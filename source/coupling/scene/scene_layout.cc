@@ -118,7 +118,13 @@ void SceneLayout::place_charge(const SceneParameters &scene,
       // Nearest position outside the body at this distance, by bisection.
       double low = 0.5 * (body.lower_bound(0) + body.upper_bound(0));
       double high = outside;
-      const double least = surface.distance({low, 0., scene.height});
+      const auto distance_at = [&](const double x) {
+        const Point<3> place(x, 0., scene.height);
+        return surface.value(place) < 0.
+                 ? 0.
+                 : place.distance(surface.nearest(place));
+      };
+      const double least = distance_at(low);
       if (least > scene.distance)
         throw InputError(
           "Charge/Distance = " + brief(scene.distance) +
@@ -130,9 +136,7 @@ void SceneLayout::place_charge(const SceneParameters &scene,
       for (unsigned int i = 0; i < 60; ++i)
       {
         const double middle = 0.5 * (low + high);
-        (surface.value({middle, 0., scene.height}) < scene.distance ? low
-                                                                    : high) =
-          middle;
+        (distance_at(middle) < scene.distance ? low : high) = middle;
       }
       charge = {high, 0., scene.height};
     }

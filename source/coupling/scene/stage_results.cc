@@ -14,6 +14,7 @@
 #include <filesystem>
 #include <limits>
 #include <utility>
+#include <vector>
 
 namespace contrecoup::coupling
 {
@@ -53,6 +54,31 @@ namespace
     return vector;
   }
 
+  /// Length of the longest of vectors over @p times until @p last [s], between
+  /// which they go straight.
+  double longest(const std::vector<double> &times,
+                 const std::vector<Vector> &vectors,
+                 const double last)
+  {
+    double length = not_measured;
+    for (std::size_t row = 0; row < times.size(); ++row)
+    {
+      if (times[row] > last)
+      {
+        if (row > 0)
+          length =
+            std::fmax(length,
+                      (vectors[row - 1] + (last - times[row - 1]) /
+                                            (times[row] - times[row - 1]) *
+                                            (vectors[row] - vectors[row - 1]))
+                        .norm());
+        break;
+      }
+      length = std::fmax(length, vectors[row].norm());
+    }
+    return length;
+  }
+
   /// Largest displacement of a probe until @p last [m].
   double displacement_of_probes(const std::string &file, const double last)
   {
@@ -61,9 +87,12 @@ namespace
     const std::vector<double> &times = table.column("time", file);
     for (std::size_t i = 0; i + 2 < table.names.size(); ++i)
       if (table.names[i].find("displacement_x") != std::string::npos)
+      {
+        std::vector<Vector> places;
         for (std::size_t row = 0; row < times.size(); ++row)
-          if (times[row] <= last)
-            largest = std::fmax(largest, vector_at(table, i, row).norm());
+          places.push_back(vector_at(table, i, row));
+        largest = std::fmax(largest, longest(times, places, last));
+      }
     return largest;
   }
 
@@ -78,6 +107,7 @@ namespace
     for (unsigned int d = 0; d < 3; ++d)
       momentum[d] = &table.column(std::string("momentum_") + "xyz"[d], file);
     Vector place, before;
+    std::vector<Vector> places;
     for (std::size_t row = 0; row < times.size(); ++row)
     {
       Vector velocity;
@@ -87,9 +117,9 @@ namespace
         place += 0.5 * (times[row] - times[row - 1]) * (before + velocity);
       before = velocity;
       largest.speed = std::fmax(largest.speed, velocity.norm());
-      if (times[row] <= last)
-        largest.displacement = std::fmax(largest.displacement, place.norm());
+      places.push_back(place);
     }
+    largest.displacement = longest(times, places, last);
     return largest;
   }
 } // namespace

@@ -81,27 +81,33 @@ void BlastProbes<dim>::add(const std::size_t i,
 
 
 template <int dim>
-void BlastProbes<dim>::inherit(const KnownRecord<dim> &record,
-                               const GasSnapshot<dim> &gas)
+void BlastProbes<dim>::inherit(const KnownRecord<dim> &record)
 {
-  // In this time any front is some cells farther.
-  constexpr double diagonals = 1.5, slowest_front = 330.; // [m/s]
-  const double smeared_until =
-    gas.time +
-    diagonals / slowest_front *
-      dealii::GridTools::minimal_cell_diameter(gas.mesh.triangulation());
   for (std::size_t i = 0; i < places_.size(); ++i)
     if (const auto known = record(places_[i]))
     {
       records_[i] = *known;
       if (exposures_.empty())
         continue;
-      exposures_[i].waves.inherit(known->peak, smeared_until);
+      exposures_[i].waves.first = known->peak;
       if (std::isnan(known->peak))
         exposures_[i].give_up();
       else if (known->peak > 0.)
         exposures_[i].continue_after(*known, ambient_[i]);
     }
+}
+
+
+template <int dim>
+void BlastProbes<dim>::expect_smearing(const GasSnapshot<dim> &gas)
+{
+  // In this time any front is some cells farther.
+  constexpr double diagonals = 1.5, slowest_front = 330.; // [m/s]
+  const double until = gas.time + diagonals / slowest_front *
+                                    dealii::GridTools::minimal_cell_diameter(
+                                      gas.mesh.triangulation());
+  for (ExposureRecord &exposure : exposures_)
+    exposure.waves.smeared_until = until;
 }
 
 

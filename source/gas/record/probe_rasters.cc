@@ -219,7 +219,8 @@ void ProbeRasters<dim>::inherit(const KnownRecord<dim> &record,
                                 const GasSnapshot<dim> &gas)
 {
   if (!is_taken_)
-    probes_.inherit(record, gas);
+    probes_.inherit(record);
+  probes_.expect_smearing(gas);
 }
 
 

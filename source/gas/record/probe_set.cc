@@ -116,7 +116,8 @@ void ProbeSet<dim>::inherit(const KnownRecord<dim> &record,
                             const GasSnapshot<dim> &gas)
 {
   if (!is_continued_)
-    probes_.inherit(record, gas);
+    probes_.inherit(record);
+  probes_.expect_smearing(gas);
 }
 
 

@@ -103,8 +103,47 @@ Point<3> Shape::project(const Point<3> &point) const
 
 Point<3> Shape::nearest(const Point<3> &point) const
 {
+  constexpr double accuracy = 1e-3; // of the diagonal, before slide_to()
+  constexpr unsigned int most_boxes = 20000;
+  using Candidate = std::pair<double, BoundingBox<3>>;
+  const auto is_farther = [](const Candidate &a, const Candidate &b) {
+    return a.first > b.first;
+  };
+  // Boxes that may hold a part of the surface, the nearest first.
+  std::priority_queue<Candidate, std::vector<Candidate>, decltype(is_farther)>
+    open(is_farther);
+  const auto diagonal = [](const BoundingBox<3> &box) {
+    const auto [lower, upper] = box.get_boundary_points();
+    return lower.distance(upper);
+  };
+  const auto push = [&](const BoundingBox<3> &box) {
+    open.emplace(distance_to_box(box, point), box);
+  };
+  push(bounding_box());
+  const double tolerance = accuracy * diagonal(bounding_box());
+  Point<3> foot = slide_to(point, project(point));
+  for (unsigned int i = 0; i < most_boxes && !open.empty() &&
+                           open.top().first < foot.distance(point) - tolerance;
+       ++i)
+  {
+    const BoundingBox<3> box = open.top().second;
+    open.pop();
+    const Point<3> center = box.center();
+    if (std::abs(value(center)) > 0.5 * diagonal(box))
+      continue;
+    const Point<3> found = project(center);
+    if (std::abs(value(found)) < tolerance &&
+        found.distance(point) < foot.distance(point))
+      foot = found;
+    for (unsigned int v = 0; v < 8; ++v)
+      push(BoundingBox<3>(std::vector<Point<3>>{center, box.vertex(v)}));
+  }
+  return slide_to(point, foot);
+}
+
+Point<3> Shape::slide_to(const Point<3> &point, Point<3> foot) const
+{
   constexpr double least_reach = 1e-3, least_gain = 1e-9;
-  Point<3> foot = project(point);
   double reach = 1.;
   while (reach > least_reach)
   {

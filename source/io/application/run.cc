@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace contrecoup
 {
@@ -194,6 +195,15 @@ namespace io
       {
         item.value = known->value;
         item.quantity = known->quantity;
+      }
+    // Others go by the state, whose figures coarse cells do not have.
+    for (std::size_t i = 0; i < coarse.size() && !is_part; ++i)
+      if (find_assumption(plan_, coarse[i].name) == nullptr)
+      {
+        Assumption item = coarse[i];
+        if (item.name != "first_stage")
+          item.value = std::numeric_limits<double>::quiet_NaN();
+        plan_.insert(plan_.begin() + std::min(i, plan_.size()), item);
       }
   }
 

@@ -105,7 +105,7 @@ def check_estimate(text, files):
                     trunk["in_the_open"]["lung_exposure"]),
                    (r"; before a wall (\S+), ",
                     trunk["before_a_wall"]["lung_exposure"])]
-    ears = facts["tables"]["ears"]
+    ears = facts["tables"].get("ears")
     told = re.search(r"nearer ear is (\S+ m) from .* rupture (.*?); before a wall "
                      r"(.*)", text)
     if told:

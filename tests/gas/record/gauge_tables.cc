@@ -297,7 +297,8 @@ TEST(GaugeTables, CountAFrontThatLargerCellsSmearOnce)
     const BlastRecord<double> record{300e3, 1e-3, 3.};
     WavePeaks waves;
     double time = 1e-3;
-    waves.inherit(record.peak, time + 4.5e-5);
+    waves.first = record.peak;
+    waves.smeared_until = time + 4.5e-5;
     for (const double over :
          {200e3, 190e3, 240e3, 275e3, 200e3, 100e3, 50e3, 50e3 + second, 0.})
       waves.add(over, time += 1e-5, record);

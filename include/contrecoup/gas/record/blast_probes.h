@@ -67,8 +67,11 @@ public:
            const double time,
            const double step);
 
-  /// Continues the records of an earlier stage. Collective.
-  void inherit(const KnownRecord<dim> &record, const GasSnapshot<dim> &gas);
+  /// Continues the records of an earlier stage.
+  void inherit(const KnownRecord<dim> &record);
+
+  /// Expects that cells other than those before smear the fronts. Collective.
+  void expect_smearing(const GasSnapshot<dim> &gas);
 
   Exposure exposure() const
   {

@@ -28,7 +28,7 @@ public:
                         const GasScene<dim> &scene) override;
 
   void mesh_changed(const GasSnapshot<dim> &gas) override;
-  /// Does nothing after take(), which has recorded all that came before.
+  /// Takes no records after take(), which has recorded all that came before.
   void inherit(const KnownRecord<dim> &record,
                const GasSnapshot<dim> &gas) override;
   void add_step(const GasSnapshot<dim> &gas) override;

@@ -35,7 +35,7 @@ public:
     probes_.mesh_changed(gas);
   }
   void begin(const GasSnapshot<dim> &gas) override;
-  /// Does nothing where take() has recorded all that came before.
+  /// Takes no records where take() has recorded all that came before.
   void inherit(const KnownRecord<dim> &record,
                const GasSnapshot<dim> &gas) override;
   void add_step(const GasSnapshot<dim> &gas) override;

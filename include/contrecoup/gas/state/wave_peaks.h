@@ -24,7 +24,9 @@ struct WavePeaks
   double later_time = 0.; ///< [s]
   /// Least overpressure since the first rise [Pa].
   double lowest = std::numeric_limits<double>::infinity();
-  double smeared_until = 0.; ///< see inherit() [s]
+  /// Until when the front may rise once more, since it was handed on to other
+  /// cells that smear it [s].
+  double smeared_until = 0.;
   /// Positive impulse up to the least overpressure before any later wave [Pa
   /// s].
   double first_impulse = 0.;
@@ -55,15 +57,6 @@ struct WavePeaks
       later = overpressure;
       later_time = time;
     }
-  }
-
-  /// Continues a first wave of a known @p peak [Pa] in other cells, which smear
-  /// its front if it is near: what that falls by and rises again, @p until this
-  /// time [s], is no later wave.
-  void inherit(const double peak, const double until)
-  {
-    first = peak;
-    smeared_until = until;
   }
 
   /// Part of the @p total positive impulse [Pa s] that belongs to the first

@@ -54,13 +54,18 @@ public:
   /// the nearest one if @p point is near a smooth surface.
   dealii::Point<3> project(const dealii::Point<3> &point) const;
 
-  /// The nearest point of the surface to @p point, or one of those that are
-  /// nearest in their surroundings: from project() along the surface. For
-  /// points far from the surface.
+  /// The nearest point of the surface to @p point: by a search among boxes to
+  /// 1e-3 of the diagonal of bounding_box(), then along the surface.
   dealii::Point<3> nearest(const dealii::Point<3> &point) const;
 
   /// Signed distance from @p point to its projection by project() [m].
   double distance(const dealii::Point<3> &point) const;
+
+private:
+  /// From a point of the surface along it to that which is the nearest to @p
+  /// point in its surroundings.
+  dealii::Point<3> slide_to(const dealii::Point<3> &point,
+                            dealii::Point<3> foot) const;
 };
 
 using ShapePointer = std::shared_ptr<const Shape>;
