@@ -3,11 +3,13 @@
 
 #include <contrecoup/base/parameters/parameters.h>
 #include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/solid/boundary/facet_search.h>
 #include <contrecoup/solid/boundary/recorded_loads.h>
 
 #include "../named_value.h"
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 
 using namespace contrecoup;
@@ -144,6 +146,25 @@ TEST(RecordedLoads, ImpulseThatIsPushedBackIsKept)
     EXPECT_NEAR(
       audited(*loads, "loads_largest_" + where + "_impulse"), 1., 1e-12);
   std::filesystem::remove(file);
+}
+
+
+// Facets around a place, all as far from it, and the first faces away.
+TEST(RecordedLoads, OfFacetsAsNearTheFirstThatFacesCounts)
+{
+  io::LoadFile::Facets facets;
+  for (unsigned int i = 0; i < 24; ++i)
+  {
+    const double angle = i * 2. * std::acos(-1.) / 24.;
+    for (const double x : {std::cos(angle), std::sin(angle), 0.})
+      facets.centroids.push_back(0.01 * x);
+    for (const double x : {0., 0., i == 0 ? -1. : 1.})
+      facets.normals.push_back(x);
+    facets.areas.push_back(1.);
+  }
+  const solid::FacetSearch search(facets, 0.05);
+  EXPECT_EQ(search.find({0., 0., 0.}, Point<3>(0., 0., 1.)), 1U);
+  EXPECT_EQ(search.find({0., 0., 0.}, Point<3>(0., 0., -1.)), 0U);
 }
 
 

@@ -8,11 +8,11 @@
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/log.h>
 #include <contrecoup/base/system/text.h>
+#include <contrecoup/solid/boundary/facet_search.h>
 #include <contrecoup/solid/boundary/load_alignment.h>
 #include <contrecoup/solid/boundary/recorded_loads.h>
 
 #include <deal.II/base/mpi.h>
-#include <deal.II/numerics/rtree.h>
 
 #include <limits>
 #include <tuple>
@@ -26,10 +26,6 @@ namespace
 
   /// Number of samples read at once.
   constexpr std::size_t samples_at_once = 64;
-
-  /// Number of nearest recorded facets that are searched for one with a
-  /// similar normal.
-  constexpr unsigned int n_candidates = 12;
 
   /// Least fraction of the recorded impulse, summed as magnitudes, that must
   /// arrive on this surface.
@@ -176,14 +172,10 @@ void RecordedLoads::reinit(const std::vector<Point<3>> &middles,
   areas_ = areas;
   require_mirror(*reader_, mirrored_, box_of(middles, communicator));
   const io::LoadFile::Facets &facets = reader_->facets();
-  std::vector<Point<3>> places;
+  const FacetSearch search(facets, largest_distance_);
   Tensor<1, 3> side;
   for (std::size_t i = 0; i < reader_->n_facets(); ++i)
-  {
-    places.push_back(io::LoadFile::point_at(facets.centroids, i));
-    side += places.back();
-  }
-  const auto tree = dealii::pack_rtree_of_indices(places);
+    side += Tensor<1, 3>(io::LoadFile::point_at(facets.centroids, i));
   source_.assign(middles.size(), no_index);
   distances_.assign(middles.size(), 0.);
   for (std::size_t i = 0; i < middles.size(); ++i)
@@ -196,23 +188,9 @@ void RecordedLoads::reinit(const std::vector<Point<3>> &middles,
         place[d] *= -1.;
         area[d] *= -1.;
       }
-    double best = std::numeric_limits<double>::max();
-    const auto query = boost::geometry::index::nearest(place, n_candidates);
-    for (auto found = tree.qbegin(query); found != tree.qend(); ++found)
-    {
-      const bool faces =
-        area * Tensor<1, 3>(io::LoadFile::point_at(facets.normals, *found)) >
-        0.;
-      // Facets that face away count only if no other facet is near.
-      const double distance =
-        place.distance(places[*found]) + (faces ? 0. : largest_distance_);
-      if (distance < best)
-      {
-        best = distance;
-        source_[i] = static_cast<std::uint32_t>(*found);
-      }
-    }
-    distances_[i] = place.distance(places[source_[i]]);
+    source_[i] = static_cast<std::uint32_t>(search.find(place, area));
+    distances_[i] =
+      place.distance(io::LoadFile::point_at(facets.centroids, source_[i]));
     if (distances_[i] > largest_distance_)
       source_[i] = no_index;
   }

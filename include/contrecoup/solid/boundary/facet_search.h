@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/io/output/load_file.h>
+
+#include <deal.II/base/point.h>
+#include <deal.II/numerics/rtree.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace contrecoup::solid
+{
+/// Finds recorded facets near a place that face to its side.
+class FacetSearch
+{
+public:
+  /// @param facets must outlive this
+  /// @param away by how much facets that face away count as farther [m]
+  FacetSearch(const io::LoadFile::Facets &facets, double away);
+
+  /// The nearest of the facets around @p place [m], of at least one, for an
+  /// @p area vector there. Of facets that are as near the first counts, so that
+  /// the order of a search tree decides nothing.
+  std::size_t find(const dealii::Point<3> &place,
+                   const dealii::Tensor<1, 3> &area) const;
+
+private:
+  using Places = std::vector<dealii::Point<3>>;
+
+  const io::LoadFile::Facets &facets_;
+  double away_;
+  Places places_;
+  decltype(dealii::pack_rtree_of_indices(Places())) tree_;
+};
+} // namespace contrecoup::solid
