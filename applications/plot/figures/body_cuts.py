@@ -52,7 +52,7 @@ def draw_pressures(panels, head_only, path):
         axis.set_ylim(low, top)
         axis.set_title(f"{1e3 * time:.2f} ms")
     figure.colorbar(axes[0, 0].collections[0], ax=axes, shrink=0.7,
-                    label=f"pressure [{unit}]")
+                    extend="both", label=f"pressure [{unit}]")
     style.save(figure, path)
 
 
@@ -106,6 +106,6 @@ def draw_probes(folder, time, pressures, references, path):
         part.set_aspect("equal")
         part.autoscale_view()
     if outputs:
-        figure.colorbar(part.collections[0], ax=figure.axes[1:],
+        figure.colorbar(part.collections[0], ax=figure.axes[1:], extend="both",
                         label="pressure [kPa]", shrink=0.9)
     style.save(figure, path)

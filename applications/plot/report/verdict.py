@@ -184,10 +184,7 @@ def _ears(judged):
     kind = injury_table.severity(worst)
     by_run = "" if other_ears(ears) is None else " by this run"
     tables = f", {worst.shown_tables()}" if worst.tables else ""
-    # The worse answer of run and tables is told.
-    words = [_word(EARS, entry, max(entry.value,
-                                    entry.other_by_tables() or 0.))
-             for entry in ears]
+    words = [_worse_word(entry) for entry in ears]
     whose = "rupture of " if worst.is_own else ""
     sides = [entry.name[len("ear_rupture_"):].split()[0] for entry in ears]
     if len(ears) > 1 and len(set(words)) > 1:
@@ -203,6 +200,13 @@ def _ears(judged):
     return Verdict("eardrums", f"{whose}eardrums{words[0]}", kind,
                    told + (tables if told == figures[0] else
                            tables.replace(",", ";", 1)), worst, ears)
+
+
+def _worse_word(entry):
+    """The worse answer of run and tables, which is named if it is theirs."""
+    other = entry.other_by_tables()
+    return _word(EARS, entry, entry.value) if other is None \
+        or other <= entry.value else _word(EARS, entry, other) + " by the tables"
 
 
 def _singular(word):
