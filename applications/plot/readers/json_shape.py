@@ -22,7 +22,7 @@ SCENE = {
     "application": WORDS, "format": NUMBER, "version": WORDS, "git_revision": WORDS,
     "title": WORDS, "question": WORDS, "accuracy": WORDS, "explosive": WORDS,
     "explosive_title": WORDS, "charge_mass": NUMBER, "charge_place": POINT,
-    "probe_beside_body": POINT,
+    "probe_beside_body": POINT, "nearest_skin": POINT,
     "distance": NUMBER, "height": NUMBER, "distance_along_x": NUMBER,
     "person": {"description": WORDS, "length": NUMBER, "mass": NUMBER,
                "posture": WORDS, "forward": POINT, "left": POINT, "up": POINT,

@@ -56,6 +56,8 @@ class Lead:
                 f"; lungs of a person of {page.given(float(f'{mass:.3g}'), 'kg')}"
                 + (_at_trunk(scene) and f",{_at_trunk(scene)}"))
         self.explaining = reflections.explaining(scene)
+        self.trunk = "; loads of skin, as at the trunk, are not compared with " \
+            "those of air" if injury_table.is_trunk_far(scene) else ""
         self.reflections = reflections.note(scene) \
             + reflections.note_on_people(scene)
         self.heights = _heights(scene)
@@ -107,7 +109,8 @@ class Lead:
             (f"beside the body{self.where}, in the open", "this run", "tables"),
             self.compared, caption + "±: errors of the numerics, where they are "
             "known, and of the tables; what differs by more is marked, unless "
-            f"{self.explaining} may explain it. {self.reflections}{self.heights}",
+            f"{self.explaining} may explain it"
+            f"{self.trunk}. {self.reflections}{self.heights}",
             numbers=(1, 2), data=self.file)
 
     def doubts(self):

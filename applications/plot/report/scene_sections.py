@@ -173,6 +173,8 @@ def _target(scene):
     known = scene.loads()
     if known is None or known.is_flat or not len(known.areas):
         return None
+    if scene.facts.get("nearest_skin"):
+        return np.array(scene.facts["nearest_skin"])
     apart = np.linalg.norm(known.centroids - scene.charge_place(), axis=1)
     return known.centroids[int(apart.argmin())]
 

@@ -267,8 +267,6 @@ namespace
         if (!gap.empty())
           item.quantity += ", not measured, since " + gap;
       }
-      else if (item.name == "body_cells" || item.name == "symmetry")
-        item.measure(item.value); // of the geometry, which the run had
       else if (item.name == "skin")
         item.measure(stage_check(folder + "/blast", "loads_skin_area") /
                      skin_area(folder + "/anatomy"));
