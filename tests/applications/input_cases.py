@@ -331,7 +331,7 @@ def refused_scenes():
     yield ("distance that no place has", "scene",
            shipped(SCENE, end, entry("Body/Shift", "0, 0, 5"),
                    entry("Charge/Height", "0.5")),
-           "at Charge/Height = 0.5 m a charge is at least 4.876 "
+           "at Charge/Height = 0.5 m a charge is at least 4.502 "
            "m from the body; give that Distance, a Height from 5 to 6.756 m")
     yield ("coarser run of the coarsest cells", "scene",
            shipped(SCENE, end, entry("Scene/Error estimate", "true"),
@@ -549,8 +549,10 @@ def thin_layers():
            "Mesh/Element size of at most 2.3 mm closes the holes")
     yield ("usual layers of biomechanics", "biomechanics",
            shipped("biomechanics/quickstart.prm"),
-           "  cerebrospinal fluid, 2.5 mm (Body/Phantom) is thinner than the "
-           "elements of 10 mm, so that it has holes or no element; "
+           "  cerebrospinal fluid, 2.5 mm (Body/Phantom), skull, 6.5 mm "
+           "(Body/Phantom) are thinner than the elements of 10 mm, so that they "
+           "have holes or no element; spinal cord, 11 mm (Body/Phantom) is "
+           "thinner than the diagonal of these and may be in pieces; "
            "Mesh/Element size of at most 1.4 mm closes the holes")
 
 

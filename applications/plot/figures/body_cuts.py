@@ -52,7 +52,8 @@ def draw_pressures(panels, head_only, path):
         axis.set_ylim(low, top)
         axis.set_title(f"{1e3 * time:.2f} ms")
     figure.colorbar(axes[0, 0].collections[0], ax=axes, shrink=0.7,
-                    extend="both", label=f"pressure [{unit}]")
+                    extend=style.beyond(factor * np.concatenate(shown), norm),
+                    label=f"pressure [{unit}]")
     style.save(figure, path)
 
 

@@ -116,18 +116,17 @@ def _draw_panel(figure, axis, plane, known, title, levels):
         return
     high = float(np.nanpercentile(values, 99.))
     factor, unit = style.scale_unit(plane.unit, high)
-    beyond = "max"
     if plane.unit == "-":
-        factor, unit, norm, beyond = 100., "%", Normalize(0., 100.), "neither"
+        factor, unit, norm = 100., "%", Normalize(0., 100.)
     elif plane.quantity == "peak_overpressure" and high > 0.:
-        norm, beyond = LogNorm(max(high / 200., 1e3) * factor,
-                               max(high, 2e3) * factor), "both"
+        norm = LogNorm(max(high / 200., 1e3) * factor,
+                       max(high, 2e3) * factor)
     else:
         norm = Normalize(0., max(high, 1e-3) * factor)
     image = axis.imshow(values * factor, extent=plane.extent(), norm=norm,
                         cmap=style.SEQUENTIAL, interpolation="nearest")
     bar = figure.colorbar(image, ax=axis, pad=0.02, fraction=0.05,
-                          extend=beyond)
+                          extend=style.beyond(values * factor, norm))
     bar.set_label(unit, fontsize=9)
     bar.outline.set_visible(False)
     _draw_levels(axis, plane, values, levels)

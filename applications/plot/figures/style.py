@@ -79,6 +79,14 @@ def say_nothing(axis, reason):
               va="center", fontsize=9)
 
 
+def beyond(values, norm):
+    """Which ends of a bar of colours are pointed, as values go beyond them."""
+    low = np.nanmin(values) < norm.vmin
+    high = np.nanmax(values) > norm.vmax
+    return "both" if low and high else "min" if low else \
+        "max" if high else "neither"
+
+
 def about_zero(largest):
     """Square roots to both sides of zero, so that weak waves show as well."""
     return FuncNorm((lambda x: np.sign(x) * np.sqrt(np.abs(x)),

@@ -39,7 +39,7 @@ def require_body_mass(output):
     expected = read_json(output, "anatomy", "summary.json")["mass"]
     if not any((row["kind"], row["name"]) == ("tissue", "lung")
                for row in read_rows(output, "anatomy", "quality.csv")):
-        expected = 70.
+        expected = 78.5
     for stage in ("blast", "biomechanics"):
         text = read_text(output, stage, "parameters.prm")
         told = float(re.search(r"set Body mass *= (\S+)", text)[1])
