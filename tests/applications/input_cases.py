@@ -873,6 +873,7 @@ def judge_estimate(program, files):
 def judge_forecast(program, files):
     """Trial runs of a scene are made with Scene/Forecast = true alone."""
     path = os.path.join(files, "scene/verification/head.prm")
+    shutil.rmtree("no_cache", ignore_errors=True)  # of an earlier run
     environment = dict(os.environ, CONTRECOUP_CHECK_SECONDS="0.1",
                        XDG_CACHE_HOME=os.path.abspath("no_cache"))
     for wanted in ("true", "false"):
