@@ -13,6 +13,16 @@ using dealii::BoundingBox;
 using dealii::Point;
 using dealii::Tensor;
 
+namespace
+{
+  /// Length of the diagonal of a box [m].
+  double diagonal(const BoundingBox<3> &box)
+  {
+    const auto [lower, upper] = box.get_boundary_points();
+    return lower.distance(upper);
+  }
+} // namespace
+
 Tensor<1, 3> Shape::gradient(const Point<3> &point) const
 {
   const auto [lower, upper] = bounding_box().get_boundary_points();
@@ -48,10 +58,6 @@ double Shape::reach(const Tensor<1, 3> &direction) const
     open(is_nearer);
   open.push(candidate(bounding_box()));
   const double whole = open.top().first;
-  const auto diagonal = [](const BoundingBox<3> &box) {
-    const auto [lower, upper] = box.get_boundary_points();
-    return lower.distance(upper);
-  };
   const double tolerance = accuracy * diagonal(open.top().second);
   double found = std::numeric_limits<double>::lowest();
   for (unsigned int i = 0; i < most_boxes && !open.empty(); ++i)
@@ -112,10 +118,6 @@ Point<3> Shape::nearest(const Point<3> &point) const
   // Boxes that may hold a part of the surface, the nearest first.
   std::priority_queue<Candidate, std::vector<Candidate>, decltype(is_farther)>
     open(is_farther);
-  const auto diagonal = [](const BoundingBox<3> &box) {
-    const auto [lower, upper] = box.get_boundary_points();
-    return lower.distance(upper);
-  };
   const auto push = [&](const BoundingBox<3> &box) {
     open.emplace(distance_to_box(box, point), box);
   };

@@ -20,6 +20,9 @@ public:
   /// @param facets must outlive this
   /// @param away by how much facets that face away count as farther [m]
   FacetSearch(const io::LoadFile::Facets &facets, double away);
+  // The tree refers to the places here.
+  FacetSearch(const FacetSearch &) = delete;
+  FacetSearch &operator=(const FacetSearch &) = delete;
 
   /// The nearest of the facets around @p place [m], of at least one, for an
   /// @p area vector there. Of facets that are as near the first counts, so that
