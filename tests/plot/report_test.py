@@ -1666,7 +1666,7 @@ class ReportTest(unittest.TestCase):
             said = " ".join(headline._loads(scene)).replace("\xa0", " ")
             self.assertEqual(bool(said), difference > 0., said)
             if recorded:
-                self.expect(said, "is largest, 6.00 N s, its elements have got "
+                self.expect(said, "is largest, 6.00 N s, its elements received "
                             "12.0 N s")
                 self.expect(" ".join(accuracy._checks(scene)).replace(
                     "\xa0", " "), "leaves 6.00 N s of the recorded one when that "
@@ -2362,6 +2362,26 @@ class ReportTest(unittest.TestCase):
         self.assertIsNone(views.spot(0, beyond))
         spot = views.spot(0, beyond, True)
         self.assertTrue(np.all(np.array(spot) <= views.side_extent(0)))
+
+    def test_colours_about_zero(self):
+        """White at zero, the same size as dark on both sides; bars end where
+        values end, pointed where some are beyond."""
+        norm, colours = style.signed_scale(-50., 200.)
+        whole = style.about_zero(200.)
+        for value in (-50., -10., 0., 90., 200.):
+            np.testing.assert_allclose(
+                colours(norm(value)),
+                style.plt.get_cmap(style.DIVERGING)(whole(value)), atol=0.02)
+        for values, ends in (([-50., 200.], "neither"), ([-51., 3.], "min"),
+                             ([0., 201.], "max"), ([-60., 999.], "both")):
+            self.assertEqual(style.beyond(values, norm), ends)
+        self.assertEqual(style.signed_scale(0., 0.)[0].vmax, 1e-9)
+        scene = Scene(self.whole)
+        views = body_views.views_of(scene.loads(), scene.blast.folder)
+        areas = scene.loads().areas
+        means = views.means(areas)
+        self.assertTrue(np.all((means >= areas.min() * (1. - 1e-9))
+                               & (means <= areas.max() * (1. + 1e-9))))
 
     def test_missing_stages(self):
         for names, words in (

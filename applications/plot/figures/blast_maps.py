@@ -107,8 +107,8 @@ def _draw_panel(figure, axis, plane, arrived):
                         norm=(LogNorm if spread else Normalize)(low, high),
                         cmap=style.SEQUENTIAL, interpolation="nearest")
     _draw_contours(axis, plane, values * factor, low, high, spread)
-    bar = figure.colorbar(image, ax=axis, extend="both", pad=0.02,
-                          fraction=0.05)
+    bar = figure.colorbar(image, ax=axis, pad=0.02, fraction=0.05,
+                          extend=style.beyond(values * factor, image.norm))
     bar.set_label(unit, fontsize=9)
     if spread:
         style.label_decades(bar.ax.yaxis)

@@ -94,6 +94,7 @@ def draw_probes(folder, time, pressures, references, path):
     axis.legend(ncol=3)
     norm = style.about_zero(0.8e-3 * max(np.abs(values).max()
                                          for values in pressures.values()))
+    drawn = []
     for number, (when, pieces) in enumerate(outputs):
         part = figure.add_subplot(grid[1, number])
         part.set_axis_off()
@@ -101,12 +102,14 @@ def draw_probes(folder, time, pressures, references, path):
         for piece in pieces:
             mesh = vtk_file.read(piece)
             shape, found = fields.cut(mesh, 1e-4)
+            drawn.append(1e-3 * mesh["pressure"][found])
             part.add_collection(PolyCollection(
-                shape, array=1e-3 * mesh["pressure"][found], norm=norm,
+                shape, array=drawn[-1], norm=norm,
                 cmap=style.DIVERGING, edgecolors="face", linewidths=0.1))
         part.set_aspect("equal")
         part.autoscale_view()
     if outputs:
-        figure.colorbar(part.collections[0], ax=figure.axes[1:], extend="both",
+        figure.colorbar(part.collections[0], ax=figure.axes[1:],
+                        extend=style.beyond(np.concatenate(drawn), norm),
                         label="pressure [kPa]", shrink=0.9)
     style.save(figure, path)

@@ -60,12 +60,12 @@ def draw_times(loads, views, path, one_scale=False):
             zip(axes, times, shown, spans), 1):
         factor, unit = style.scale_unit("Pa", max(-low, high))
         low, high = low * factor, high * factor
-        norm = style.about_zero(max(-low, high, 1e-9))
-        _draw_body(figure, axis, views, values * factor, norm,
-                   style.DIVERGING, unit, (low, high),
+        _draw_body(figure, axis, views, values * factor,
+                   *style.signed_scale(low, high), unit,
+                   None if not one_scale else
                    # One scale of all stands at the end of each row.
-                   not one_scale or number % columns == 0
-                   or number == len(times))
+                   [one * factor for one in shown]
+                   if number % columns == 0 or number == len(times) else [])
         time_factor, time_unit = style.scale_unit("s", times[-1])
         axis.set_title(f"{time * time_factor:.3g} {time_unit}")
     figure.suptitle("Overpressure on the body", x=0.01, ha="left")
@@ -88,7 +88,7 @@ def draw_measures(loads, views, path):
         norm = (LogNorm if is_wide else Normalize)(
             low, high if high > low else low + 1.)
         _draw_body(figure, axis, views, values * factor, norm,
-                   style.SEQUENTIAL, unit, None)
+                   plt.get_cmap(style.SEQUENTIAL), unit)
     style.save(figure, path)
 
 
@@ -152,7 +152,8 @@ def verdict_figure(loads, views, marks):
                             "color": mark.colour})
     bar = figure.colorbar(plt.cm.ScalarMappable(norm, style.SEQUENTIAL),
                           ax=axes, location="bottom", shrink=0.8, aspect=30,
-                          extend="max")
+                          extend=style.beyond(views.means(values) * factor,
+                                              norm))
     bar.set_label(f"peak overpressure [{unit}]", fontsize=9)
     bar.outline.set_visible(False)
     return figure
@@ -171,10 +172,10 @@ def _panels(views, rows, columns):
     return figure, list(axes.flat)
 
 
-def _draw_body(figure, axis, views, values, norm, colours, unit, limits,
-               has_bar=True):
-    """The body from all sides, in the colours of values of its facets."""
-    picture = views.paint(values, norm, plt.get_cmap(colours))
+def _draw_body(figure, axis, views, values, norm, colours, unit, bar_of=None):
+    """The body from all sides, in the colours of values of its facets. @p
+    bar_of: values of all pictures that share the bar, none without a bar."""
+    picture = views.paint(values, norm, colours)
     axis.set_axis_on()
     axis.set_xticks([])
     axis.set_yticks([])
@@ -186,15 +187,17 @@ def _draw_body(figure, axis, views, values, norm, colours, unit, limits,
     for name, place in views.labels():
         axis.annotate(name, (place, 0.), (0, -4), textcoords="offset points",
                       ha="center", va="top", fontsize=9, color=style.GREY)
-    if not has_bar:
+    if bar_of is None:
+        bar_of = [values]
+    if not bar_of:
         return
+    means = np.concatenate([views.means(part) for part in bar_of])
     bar = figure.colorbar(
         plt.cm.ScalarMappable(norm, colours),
-        cax=axis.inset_axes([1.02, 0.05, 0.025, 0.9]), extend="both")
+        cax=axis.inset_axes([1.02, 0.05, 0.025, 0.9]),
+        extend=style.beyond(means, norm))
     bar.set_label(unit, fontsize=9)
     bar.ax.tick_params(labelsize=9)
-    if limits is not None and limits[1] > limits[0]:
-        bar.ax.set_ylim(*limits)
     if isinstance(norm, LogNorm):
         style.label_decades(bar.ax.yaxis)
     bar.outline.set_visible(False)

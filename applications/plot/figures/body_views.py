@@ -103,6 +103,12 @@ class BodyViews:
         """The body alone, in grey without values by facet."""
         return self.sides[side].paint(values, norm, colours)
 
+    def means(self, values):
+        """What all views show of values by facet."""
+        means = np.concatenate([side.mean(values[side.facets]).ravel()
+                                for side in self.sides])
+        return means[np.isfinite(means)]
+
     def bare_part(self):
         """Largest part of the body in a view that is skin without gas."""
         return max(np.count_nonzero(side.bare)
@@ -243,7 +249,7 @@ class _Side:
         self.total = np.bincount(self.pixels, self.weights, nearest.size)
         self.light = self._shade(normals, numbers[shown])
 
-    def _mean(self, values):
+    def mean(self, values):
         """Weighted mean in each pixel of values by patch."""
         known = np.isfinite(values)
         sums = np.bincount(self.pixels[known],
@@ -259,7 +265,7 @@ class _Side:
         lamp[self.depth[0]] = 0.8 * self.depth[1]
         lamp[self.up[0]] = 0.45 * self.up[1]
         lamp[self.right[0]] = -0.4 * self.right[1]
-        normal = np.stack([self._mean(normals[numbers, d]) for d in range(3)])
+        normal = np.stack([self.mean(normals[numbers, d]) for d in range(3)])
         with np.errstate(invalid="ignore"):
             normal /= np.linalg.norm(normal, axis=0)
         light = np.tensordot(lamp, normal, 1)
@@ -272,7 +278,7 @@ class _Side:
         body = self.total.reshape(self.shape) > 0.
         grey = np.full(self.shape + (3,), 0.8)
         if values is not None:
-            mean = self._mean(values[self.facets])
+            mean = self.mean(values[self.facets])
             known = np.isfinite(mean)
             grey[known] = colours(norm(mean[known]))[:, :3]
         picture[body] = (grey * self.light[:, :, None])[body]

@@ -77,11 +77,13 @@ def draw_pressure(run, cuts):
     largest = float(np.percentile(np.abs(inside), 99.8)) or 1.
     factor, unit = style.scale_unit("Pa", largest)
     figure, axes = _panels(run, cuts)
-    for axis, cut in zip(axes, cuts):
-        shown = add_polygons(
-            axis, cut, slice(None), cut.values["pressure"] * factor,
-            cmap=style.DIVERGING, norm=style.about_zero(largest * factor))
-    figure.colorbar(shown, ax=axes, shrink=0.85, extend="both", pad=0.01,
+    norm = style.about_zero(largest * factor)
+    pressures = [cut.values["pressure"] * factor for cut in cuts]
+    for axis, cut, pressure in zip(axes, cuts, pressures):
+        shown = add_polygons(axis, cut, slice(None), pressure,
+                             cmap=style.DIVERGING, norm=norm)
+    figure.colorbar(shown, ax=axes, shrink=0.85, pad=0.01,
+                    extend=style.beyond(np.concatenate(pressures), norm),
                     label=f"pressure [{unit}]")
     return figure
 
@@ -100,7 +102,8 @@ def draw_shear(run, cuts):
         shown = add_polygons(
             axis, cut, part, 100. * cut.values["shear_strain"][part],
             cmap=style.SEQUENTIAL, norm=PowerNorm(0.5, 0., 100. * largest))
-    figure.colorbar(shown, ax=axes, shrink=0.85, extend="max", pad=0.01,
+    figure.colorbar(shown, ax=axes, shrink=0.85, pad=0.01,
+                    extend=style.beyond(100. * strains, shown.norm),
                     label="shear strain [%]")
     return figure
 

@@ -7,7 +7,7 @@ import os
 import matplotlib
 import matplotlib.pyplot as plt
 import numpy as np
-from matplotlib.colors import FuncNorm
+from matplotlib.colors import FuncNorm, ListedColormap
 from matplotlib.ticker import FormatStrFormatter, LogLocator, NullLocator
 
 matplotlib.use("Agg")
@@ -91,6 +91,19 @@ def about_zero(largest):
     """Square roots to both sides of zero, so that weak waves show as well."""
     return FuncNorm((lambda x: np.sign(x) * np.sqrt(np.abs(x)),
                      lambda x: np.sign(x) * x * x), -largest, largest)
+
+
+def signed_scale(low, high):
+    """Norm and colours of values about zero from @p low to @p high, as of
+    about_zero(): the same size is as dark on both sides."""
+    low, high = min(low, 0.), max(high, 0.)
+    whole = about_zero(max(-low, high, 1e-9))
+    if not high > low:
+        return whole, plt.get_cmap(DIVERGING)
+    part = about_zero(1.)
+    part.vmin, part.vmax = low, high
+    shades = np.linspace(*whole(np.array([low, high])), 256)
+    return part, ListedColormap(plt.get_cmap(DIVERGING)(shades))
 
 
 def label_decades(axis):

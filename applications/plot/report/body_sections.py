@@ -185,7 +185,8 @@ def _draw_peaks(found, head_only):
         axis.set_axis_off()
         axis.set_title(title, fontsize=9)
         figure.colorbar(axis.collections[0], ax=axis, shrink=0.7,
-                        extend="both", label=unit or None)
+                        extend=style.beyond(shown * factor, norm),
+                        label=unit or None)
     return figure
 
 

@@ -583,7 +583,7 @@ def _loads(scene):
         lines.append(
             "Pushes from opposite sides cancel: when what is left of those on "
             f"the skin is largest, {page.quantity(left[0], 'N s')}, its elements "
-            f"have got {page.quantity(left[1], 'N s')}.")
+            f"received {page.quantity(left[1], 'N s')}.")
     return lines
 
 

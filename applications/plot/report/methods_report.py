@@ -292,16 +292,18 @@ def _draw_cuts(pair, found):
     norm = style.about_zero(largest * factor)
     figure, axes = plt.subplots(3, len(found), squeeze=False,
                                 figsize=(2.5 * len(found) + 0.9, 8.2))
+    drawn = []
     for number, cuts_of_time in enumerate(found):
         for row, (run, cut) in enumerate(zip(pair.runs, cuts_of_time)):
+            drawn.append(cut.values["pressure"] * factor)
             shown = head_figures.add_polygons(
-                axes[row, number], cut, slice(None),
-                cut.values["pressure"] * factor, cmap=style.DIVERGING,
-                norm=norm)
+                axes[row, number], cut, slice(None), drawn[-1],
+                cmap=style.DIVERGING, norm=norm)
         values, extent = _rasters(pair, cuts_of_time)
-        axes[2, number].imshow(
-            factor * (values[1] - values[0]), origin="lower", extent=extent,
-            cmap=style.DIVERGING, norm=norm)
+        difference = factor * (values[1] - values[0])
+        drawn.append(difference.ravel())
+        axes[2, number].imshow(difference, origin="lower", extent=extent,
+                               cmap=style.DIVERGING, norm=norm)
         for row, title in enumerate((*pair.names, "difference")):
             axis = axes[row, number]
             axis.set_aspect("equal")
@@ -310,7 +312,8 @@ def _draw_cuts(pair, found):
             axis.set_axis_off()
             axis.set_title(f"{title}, {1e3 * cuts_of_time[0].time:.3g} ms",
                            fontsize=9)
-    figure.colorbar(shown, ax=axes, shrink=0.6, extend="both", pad=0.02,
+    figure.colorbar(shown, ax=axes, shrink=0.6, pad=0.02,
+                    extend=style.beyond(np.concatenate(drawn), norm),
                     label=f"pressure [{unit}]")
     return figure
 

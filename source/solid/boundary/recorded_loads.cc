@@ -328,7 +328,7 @@ void RecordedLoads::choose_factor()
                            "magnitudes, since pushes from opposite sides "
                            "cancel; when most is left of the recorded ones, " +
                              brief(pushes_left_->first, 3) +
-                             " N s, the elements have got " +
+                             " N s, the elements received " +
                              brief(pushes_left_->second, 3) + " N s"
                          : " times the recorded impulse at its largest") +
            "; pressures are " +
