@@ -15,6 +15,12 @@ if(DOXYGEN_FOUND)
   set(DOXYGEN_EXPAND_ONLY_PREDEF YES)
   set(DOXYGEN_PREDEFINED "__attribute__(x)=")
   set(DOXYGEN_QUIET YES)
+  set(DOXYGEN_USE_MDFILE_AS_MAINPAGE ${PROJECT_SOURCE_DIR}/source/README.md)
+  set(DOXYGEN_TOC_INCLUDE_HEADINGS 3)
+  # Doxygen finds pictures by their names alone.
+  set(DOXYGEN_IMAGE_PATH ${PROJECT_SOURCE_DIR}/parameter_files/blast/showcase)
+  set(DOXYGEN_FILTER_PATTERNS "*.md=sed s:../parameter_files/blast/showcase/::")
   doxygen_add_docs(api ${PROJECT_SOURCE_DIR}/include
+    ${PROJECT_SOURCE_DIR}/source/README.md ${PROJECT_SOURCE_DIR}/CONTRIBUTING.md
     COMMENT "Pages of the headers, in build/api/html")
 endif()

@@ -42,6 +42,8 @@ MODULES = {"base": ["deal_ii", "lanes", "system", "parameters", "run"],
          "coupling": ["first_stage", "task", "application", "scene"]}
 
 # Those of the Python package applications/plot.
+# Texts about the code; the first has the modules of its layers.
+GUIDES = [os.path.join("source", "README.md"), "CONTRIBUTING.md"]
 PLOT_MODULES = ["readers", "analysis", "figures", "report", "commands"]
 
 LONGEST_README = 200  # of the top level: five minutes
@@ -319,30 +321,35 @@ def parameters(root):
 
 
 def guide(root):
-    """CONTRIBUTING.md names files that exist, and the modules in their order."""
-    path = "CONTRIBUTING.md"
-    if not os.path.exists(os.path.join(root, path)):
+    """Guides name files that exist, source/README.md the modules in their order."""
+    if not all(os.path.exists(os.path.join(root, path)) for path in GUIDES):
         return []
-    problems, tables, table = [], {}, None
-    for number, line in enumerate(lines_of(root, path), 1):
+    problems = [problem for path in GUIDES
+                for problem in missing_files(root, path)]
+    tables, table = {}, None
+    for line in lines_of(root, GUIDES[0]):
         if head := re.match(r"\| module of `(\w+)` \|", line):
             table = tables[head[1]] = []
         elif not line.startswith("|"):
             table = None
         elif table is not None:
             table += re.findall(r"`(\w+)`", line.split("|")[1])
-        names = re.findall(r"`((?:\w+/)+\w+\.(?:h|cc|py|prm|md|toml|csv))`",
-                           line)
-        problems += [
-            f"{path}:{number}: there is no {name}" for name in names
-            if not any(os.path.exists(os.path.join(root, below, name)) for below
-                       in ("", "source", os.path.join("include",
-                                                      "contrecoup")))]
     for layer, known in {**MODULES, "plot": PLOT_MODULES}.items():
         if tables.get(layer) != known:
-            problems.append(f"{path}: the modules of '{layer}' are "
+            problems.append(f"{GUIDES[0]}: the modules of '{layer}' are "
                             + ", ".join(known))
     return problems
+
+
+def missing_files(root, path):
+    """Files that a guide names and that do not exist."""
+    places = ("", "source", os.path.join("include", "contrecoup"))
+    return [f"{path}:{number}: there is no {name}"
+            for number, line in enumerate(lines_of(root, path), 1)
+            for name in re.findall(
+                r"`((?:\w+/)+\w+\.(?:h|cc|py|prm|md|toml|csv))`", line)
+            if not any(os.path.exists(os.path.join(root, place, name))
+                       for place in places)]
 
 
 def prose(root, path):

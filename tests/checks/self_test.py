@@ -191,12 +191,13 @@ class TreeTest(unittest.TestCase):
             for layer, known in {**check_tree.MODULES,
                                  "plot": check_tree.PLOT_MODULES}.items())
         good = modules + "`materials/two.cc`\n"
-        self.write("CONTRIBUTING.md", good)
+        self.write("CONTRIBUTING.md", "`materials/two.cc`\n")
+        self.write("source/README.md", good)
         self.assertEqual(check_tree.guide(self.root), [])
-        self.write("CONTRIBUTING.md", good + "`materials/three.h`\n")
-        self.expect("guide", f":{good.count(chr(10)) + 1}:",
-                    "no materials/three.h")
-        self.write("CONTRIBUTING.md", good.replace("| `octree` | it |\n", ""))
+        self.write("CONTRIBUTING.md", "\n`materials/three.h`\n")
+        self.expect("guide", "CONTRIBUTING.md:2:", "no materials/three.h")
+        self.write("CONTRIBUTING.md", "")
+        self.write("source/README.md", good.replace("| `octree` | it |\n", ""))
         self.expect("guide", "'gas'", "octree")
 
     def test_links(self):

@@ -1,9 +1,9 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Contrecoup authors
-"""The figures of CONTRIBUTING's walk through the code, of a run that this test
-makes: walk_test.py BLAST. Fields give back the means of subcells, fluxes are
-those of the shock, facets have cells beside them."""
+"""The figures of the walk through the code in source/README.md, of a run that this
+test makes: walk_test.py BLAST. Fields give back the means of subcells, fluxes are
+those of the shock, facets have cells next to them."""
 
 import contextlib
 import io

@@ -6,7 +6,7 @@ The folder is that of parameter_files/blast/showcase/walk.prm, or of a run like
 it: blast in 2-D with finite volumes of an ideal gas, a shock along x, a body
 whose loads are recorded, adaptation, and the fields of every step. Writes into
 OUTPUT_FOLDER/pictures the figures of the chapter "A walk through the code" of
-CONTRIBUTING.md: walk_step.png, walk_adaptation.png, walk_cut_cells.png and
+source/README.md: walk_step.png, walk_adaptation.png, walk_cut_cells.png and
 walk_load.png.
 """
 
