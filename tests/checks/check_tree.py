@@ -41,9 +41,10 @@ MODULES = {"base": ["deal_ii", "lanes", "system", "parameters", "run"],
                  "run"],
          "coupling": ["first_stage", "task", "application", "scene"]}
 
-# Those of the Python package applications/plot.
 # Texts about the code; the first has the modules of its layers.
 GUIDES = [os.path.join("source", "README.md"), "CONTRIBUTING.md"]
+
+# Those of the Python package applications/plot.
 PLOT_MODULES = ["readers", "analysis", "figures", "report", "commands"]
 
 LONGEST_README = 200  # of the top level: five minutes

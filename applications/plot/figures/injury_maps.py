@@ -12,9 +12,9 @@ from plot.figures import blast_maps, style
 
 PSI = 6894.757  # Pa
 # Least part of the positive impulse in the first positive phase of a wave that
-# counts as simple, for which the curves of lungs are made: of the waves in free
-# air beyond the products of the explosive 1, among these 0.55 to 0.65.
+# counts as simple, for which the curves of lungs are made.
 SIMPLE = 0.75
+CERTAIN = 0.99  # probability of death that later waves do not change
 PERCENT = {0.01: "1 %", 0.5: "50 %", 0.99: "99 %"}
 # Title and named levels of each panel.
 PANELS = {
@@ -40,17 +40,17 @@ def are_in(maps):
 
 
 def simple(maps):
-    """Where the wave is simple, see SIMPLE, or among the products of an
-    explosive, where the fraction is not a number and another duration holds."""
+    """Where the wave is simple, see SIMPLE, or not over."""
     return ~(maps["first_phase_fraction"].values <= SIMPLE)
 
 
 def area_above(maps, name, level):
-    """Area of the plane [m^2] where a quantity exceeds a level, by the gauges
-    that do, each with the part of the plane that is nearest to it, and on the
-    other side of planes of symmetry; in axisymmetric cells of the half
-    plane."""
-    return _area_where(maps[name], np.nan_to_num(maps[name].values) > level)
+    """Area of the plane [m^2] where a quantity is known to exceed a level, by
+    the gauges that do, each with the part of the plane that is nearest to it,
+    and on the other side of planes of symmetry; in axisymmetric cells of the
+    half plane."""
+    return _area_where(maps[name], _known(maps, name)
+                       & (np.nan_to_num(maps[name].values) > level))
 
 
 def area_unknown(maps, name):
@@ -61,7 +61,8 @@ def area_unknown(maps, name):
 def area_of_limits(maps):
     """Area of the plane [m^2] where the velocity of the chest wall is a lower
     limit."""
-    return area_above(maps, LIMITS, 0.5) if LIMITS in maps else 0.
+    return _area_where(maps[LIMITS], np.nan_to_num(maps[LIMITS].values) > 0.5) \
+        if LIMITS in maps else 0.
 
 
 def area(maps):
@@ -89,7 +90,11 @@ def _known(maps, name):
     known = np.isfinite(maps[name].values)
     if "arrival" in maps:
         known &= maps["arrival"].values > 0.
-    return known & simple(maps) if name == "lung_lethality" else known
+    if name != "lung_lethality":
+        return known
+    # Beside the charge, where nobody survives the largest load alone, what burns
+    # sends later waves.
+    return known & (simple(maps) | (maps[name].values > CERTAIN))
 
 
 def draw(maps, path, own=None):

@@ -98,10 +98,10 @@ def people(scene):
                "other figures" if coarse else "The numerical error of these "
                "areas is unknown")
             + ". Grey: the blast has not arrived, the figure is not known, as "
-            "within the charge, or, of lungs, the blast is not over, not "
-            "simple, or beside the products of the explosive, where the "
-            "duration is open; among "
-            "these no curve was measured. Lungs"
+            "within the charge, or, of lungs, the blast is not over (and its "
+            "rest could kill), not simple, or beside the products of the "
+            "explosive, where the duration is open; among these no curve was "
+            "measured. Lungs"
             f"{_mass_of_people(scene)} by side-on plus dynamic "
             f"pressure and positive phase ({KNOWN['lung_lethality'].source}), "
             f"eardrums by the peak ({KNOWN['ear_rupture'].source}); "
@@ -164,7 +164,7 @@ def _area(scene, maps, coarse, name, level):
             doubts.append(f"by the numerics {low} to {high} m²")
     unknown = injury_maps.area_unknown(maps, name)
     if unknown > 0.:
-        doubts.append(f"unknown on {page.number(unknown)} m²")
+        doubts.append(f"unknown on a further {page.number(unknown)} m²")
     return f" on {page.number(found)} m²" + (
         f" ({', '.join(doubts)})" if doubts else "")
 

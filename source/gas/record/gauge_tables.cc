@@ -222,8 +222,9 @@ namespace
     const auto values = air_injury_values(air, body_mass);
     const auto definitions = air_injury_definitions(body_mass);
     const std::size_t n_values = values.size() - (with_chest ? 0 : 2);
+    const bool knows_lungs = !std::isnan(values[0]);
     for (std::size_t k = 0; k < n_values; ++k)
-      if (!std::isnan(values[k]))
+      if (!std::isnan(values[k]) && (knows_lungs || k != 1))
         rows += row(air_injury_quantities[k].first,
                     air.place,
                     values[k],
@@ -269,10 +270,14 @@ std::array<double, 5> air_injury_values(const AirBlast &air,
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   if (!(air.blast.peak > 0.) || std::isnan(air.exposure.load))
     return {{unknown, unknown, unknown, unknown, unknown}};
+  // Products overexpand: later phases of a simple wave have impulse, too.
   const double first_phase =
-    air.is_cut || air.exposure.is_among_products()
+    air.is_cut
       ? unknown
-      : air.exposure.waves.first_fraction(air.blast.impulse, air.total_impulse);
+      : air.exposure.waves.first_fraction(air.blast.impulse,
+                                          air.exposure.is_among_products()
+                                            ? air.blast.impulse
+                                            : air.total_impulse);
   const auto [shortest, longest] = air.exposure.durations(air.blast.duration);
   const auto injury_of = [&](const double duration) {
     return air_injury(
@@ -281,8 +286,13 @@ std::array<double, 5> air_injury_values(const AirBlast &air,
   const AirInjury least = injury_of(shortest), injury = injury_of(longest);
   const bool is_known =
     !air.is_cut && !air.exposure.goes_on() && say_the_same(least, injury);
+  // Of a phase that goes on at the end of the run, only the end is unknown.
+  constexpr double endless = 1e3, harmless = 1e-3;
+  const double bound = injury_of(endless).lung_lethality;
   return {{is_known ? injury.lung_exposure : unknown,
-           is_known ? injury.lung_lethality : unknown,
+           is_known           ? injury.lung_lethality
+           : bound < harmless ? bound
+                              : unknown,
            injury.eardrum_rupture,
            air.exposure.chest.largest_velocity,
            first_phase}};

@@ -321,9 +321,9 @@ namespace io
              (trial.lacks_stage ? " before its last stage" : "");
     }
 
-    /// What is known of the cost without trials: not the steps of a gas, whose
-    /// speeds are known when it has begun to move, nor the size of a mesh that
-    /// changes.
+    /// What is known of the cost without trials: no time, nor the steps of a
+    /// gas, whose speeds are known when it has begun to move, nor the size of a
+    /// mesh that changes.
     CostEstimate without_trials(const ApplicationDescription &description,
                                 const dealii::ParameterHandler &prm,
                                 const CostEstimate &rough,
@@ -331,9 +331,10 @@ namespace io
     {
       CostEstimate cost = rough;
       cost.memory += peak_memory(collective.communicator());
+      cost.seconds = 0.;
       if (!description.adapts)
         return cost;
-      cost.steps = cost.seconds = 0.;
+      cost.steps = 0.;
       if (description.adapts(prm))
         cost.cells = cost.unknowns = cost.memory = 0.;
       return cost;

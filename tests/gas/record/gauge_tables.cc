@@ -392,7 +392,7 @@ TEST(GaugeTables, KnowLungsBesideProductsWhereTheirDurationDecidesNothing)
   // The duration is 0.8 or 10 ms: nobody dies, or everybody.
   EXPECT_LT(lethality(0.7e6, 8e-4, 0., 1e-2), 1e-3);
   EXPECT_GT(lethality(0.7e6, 8e-4, 0.99, 1e-2), 0.99);
-  for (const double mixture : {2e-4, 0.4, 0.6, 0.89})
+  for (const double mixture : {2e-4, 0.4, 0.6, 0.97})
   {
     EXPECT_TRUE(std::isnan(lethality(0.7e6, 8e-4, mixture, 1e-2))) << mixture;
     // The same verdict by either.
@@ -401,4 +401,40 @@ TEST(GaugeTables, KnowLungsBesideProductsWhereTheirDurationDecidesNothing)
                 lethality(0.7e6, 2e-3, 0., 2e-3),
                 1e-12);
   }
+}
+
+
+// A run that ends within the phase knows the lungs where even an endless one
+// would kill nobody; a table has no row of them.
+TEST(GaugeTables, KnowLungsOfAnEndlessPhaseThatKillsNobody)
+{
+  for (const double peak : {50e3, 200e3})
+  {
+    AirBlast air{"here", {peak, 300., 1e-3, 5e-3}, 101325., {}, 300., true};
+    air.exposure.load = standing_load(peak, 101325.);
+    const auto values = air_injury_values(air, 70.);
+    EXPECT_TRUE(std::isnan(values[0]));
+    EXPECT_EQ(values[1] < 1e-3, peak < 100e3) << values[1];
+    EXPECT_EQ(std::isnan(values[1]), peak > 100e3);
+    EXPECT_EQ(air_injury_table({air}, 70., false).find("lung"),
+              std::string::npos);
+  }
+}
+
+
+// Later phases belong to the wave of products, which overexpand; a wave within
+// the first one does not.
+TEST(GaugeTables, CountTheFirstPhaseAloneAmongProducts)
+{
+  for (const double products : {0., 0.5})
+    for (const double first : {60., 100.})
+    {
+      AirBlast air{"", {200e3, 100., 1e-3, 2e-3}, 101325., {}, 150.};
+      air.exposure.load = standing_load(200e3, 101325.);
+      air.exposure.products = products;
+      air.exposure.waves.later = 50e3;
+      air.exposure.waves.first_impulse = first;
+      EXPECT_DOUBLE_EQ(air_injury_values(air, 70.)[4],
+                       first / (products > 0. ? 100. : 150.));
+    }
 }

@@ -81,9 +81,11 @@ extern const std::vector<std::pair<std::string, std::string>>
  * ExposureRecord; the largest velocity of the chest wall under the overpressure
  * at the place; and the part of the positive impulse that the first wave has
  * within the first positive phase, 1 in a simple wave, for which alone the lung
- * exposure is defined, and none among products. Not a number where no blast has
- * arrived and where nobody stands, see ExposureRecord; of lungs and first
- * phase, where the blast is cut off, too.
+ * exposure is defined; among products, where later phases belong to the wave,
+ * the part of this phase. Not a number where no blast has arrived and where
+ * nobody stands, see ExposureRecord; of lungs and first phase, where the blast
+ * is cut off, too, but for a probability of death that an endless phase would
+ * not raise above 1e-3.
  *
  * @param body_mass for the lung exposure [kg]
  */

@@ -79,7 +79,7 @@ struct ExposureRecord
   {
     if (!is_among_products())
       return {positive_phase, positive_phase};
-    constexpr double mixture = 0.9; // largest mass fraction
+    constexpr double mixture = 0.98; // largest mass fraction
     return {products > mixture ? std::max(positive_phase, pressing)
                                : positive_phase,
             std::max(positive_phase, lasting)};
