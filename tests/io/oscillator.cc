@@ -100,7 +100,7 @@ namespace io
 
   CostEstimate Oscillator::estimate()
   {
-    return {cells_, 2. * cells_, 1000., 16. * cells_, 1e-6 * cells_};
+    return {cells_, 2. * cells_, 1000., 16. * cells_, 1e-6 * cells_, 0., ""};
   }
 
   bool Oscillator::happens(const std::string &mishap) const

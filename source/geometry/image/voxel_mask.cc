@@ -194,12 +194,11 @@ VoxelMask closed(const VoxelMask &mask, const double distance)
   const double finest =
     std::min({mask.spacing[0], mask.spacing[1], mask.spacing[2]});
   const auto layers = static_cast<unsigned int>(distance / finest) + 1;
-  const VoxelMask large =
-    grown(grown(padded(mask, layers), distance).complement(), distance)
-      .complement();
+  const VoxelMask dilated = grown(padded(mask, layers), distance);
+  const VoxelMask outside = grown(dilated.complement(), distance);
   VoxelMask result = mask;
   for_each_padded(mask, layers, [&](const std::size_t i, const std::size_t j) {
-    result.inside[i] = large.inside[j];
+    result.inside[i] = 1 - outside.inside[j];
   });
   return result;
 }

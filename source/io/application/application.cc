@@ -158,6 +158,10 @@ namespace io
     // Without mpirun, a singleton needs no daemon; only processes that spawn
     // further ranks do.
     setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
+    // Open MPI 5 does not start without a home folder; nothing is kept in one
+    // that is none.
+    const bool has_home = std::getenv("HOME") != nullptr;
+    setenv("HOME", "/", 0);
     int initialised = 0;
     MPI_Initialized(&initialised);
     std::unique_ptr<dealii::Utilities::MPI::MPI_InitFinalize> mpi;
@@ -166,6 +170,8 @@ namespace io
     if (initialised == 0)
       mpi = std::make_unique<dealii::Utilities::MPI::MPI_InitFinalize>(
         argc, argv, 1);
+    if (!has_home)
+      unsetenv("HOME");
     const bool is_first =
       dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
     if (const int signal = dealii::Utilities::MPI::max(
