@@ -39,7 +39,7 @@ public:
                        {{"Injury"}, "Every steps", "1", "test"},
                        {{"Injury"}, "Pressure", "of elements", "test"}},
                       prm);
-    report.parse_parameters(prm);
+    report.parse_parameters(prm, {});
     report.reinit(body);
   }
 

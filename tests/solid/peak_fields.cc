@@ -23,7 +23,7 @@ TEST(PeakFields, AreLowerLimitsWhereTheLastOnesAreTheLargest)
                      {{"Peaks"}, "Every steps", "1", "test"}},
                     prm);
   solid::PeakFields<double> peaks;
-  peaks.parse_parameters(prm);
+  peaks.parse_parameters(prm, {});
   peaks.reinit(body);
   double time = 0.;
   const auto marks_at = [&](const double strain) {
@@ -36,7 +36,7 @@ TEST(PeakFields, AreLowerLimitsWhereTheLastOnesAreTheLargest)
     body.start(time += 1e-6);
     peaks.record(body);
     std::string found;
-    const auto list = peaks.measures(body);
+    const auto list = peaks.results(body);
     for (const char *name : {"highest_pressure_brain",
                              "lowest_pressure_brain",
                              "largest_von_mises_stress_brain",

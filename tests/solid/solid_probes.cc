@@ -69,22 +69,22 @@ TEST(SolidProbes, AveragedPressureIsThatOfTheTissueAverage)
         }
         dealii::Utilities::MPI::sum(known, MPI_COMM_WORLD, known);
         dealii::ParameterHandler prm;
-        solid::SolidProbes::declare_parameters(prm);
+        solid::SolidProbes<double>::declare_parameters(prm);
         prm.enter_subsection("Probes");
         prm.set("Points",
                 exact(known[0]) + ", " + exact(known[1]) + ", " +
                   exact(known[2]));
         prm.leave_subsection();
-        solid::SolidProbes probes;
-        probes.parse_parameters(prm);
-        probes.reinit(body.mesh(), MPI_COMM_WORLD);
-        probes.read(body);
-        EXPECT_NEAR(value_of(probes.values(), "probe_1_averaged_pressure"),
+        solid::SolidProbes<double> probes;
+        probes.parse_parameters(prm, {});
+        probes.reinit(body);
+        probes.record(body);
+        EXPECT_NEAR(value_of(probes.values(body), "probe_1_averaged_pressure"),
                     known[3],
                     1e-10 * std::abs(known[3]));
-        EXPECT_GT(
-          std::abs(value_of(probes.values(), "probe_1_pressure") - known[3]),
-          1e-3 * std::abs(known[3]));
+        EXPECT_GT(std::abs(value_of(probes.values(body), "probe_1_pressure") -
+                           known[3]),
+                  1e-3 * std::abs(known[3]));
       }
   }
 }
@@ -97,7 +97,7 @@ TEST(SolidProbes, ArrivalIsTheFirstCrossingInEitherDirection)
   solid::SolidBody<double> body;
   make_half_brain(body);
   dealii::ParameterHandler prm;
-  solid::SolidProbes::declare_parameters(prm);
+  solid::SolidProbes<double>::declare_parameters(prm);
   std::vector<Assignment> assignments;
   const auto set = [&](const std::string &name,
                        const std::string &entry,
@@ -115,17 +115,17 @@ TEST(SolidProbes, ArrivalIsTheFirstCrossingInEitherDirection)
   set("late", "First time", "9");
   assignments.push_back({{"Probes"}, "Points", "0, 0, 0", "test"});
   apply_assignments(assignments, prm);
-  solid::SolidProbes probes;
-  probes.parse_parameters(prm);
-  probes.reinit(body.mesh(), MPI_COMM_WORLD);
+  solid::SolidProbes<double> probes;
+  probes.parse_parameters(prm, {});
+  probes.reinit(body);
   for (unsigned int step = 0; step <= 10; ++step)
   {
     for (std::size_t i = 0; i < body.mesh().nodes.size(); ++i)
       body.nodes().velocity_of(i)[0] = -0.1 * step;
     body.start(0.01 * step);
-    probes.read(body);
+    probes.record(body);
   }
-  const std::vector<NamedValue> results = probes.measured();
+  const std::vector<NamedValue> results = probes.results(body);
   ASSERT_EQ(results.size(), 4u);
   for (const NamedValue &result : results)
     if (result.name == "falls")

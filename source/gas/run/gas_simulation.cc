@@ -152,7 +152,7 @@ StepReport GasSimulation<dim>::advance(const double largest_step)
 {
   const StepReport report = core_.advance(largest_step);
   const auto gas = core_.snapshot();
-  recorders_.for_each([&](auto &recorder) { recorder.add_step(gas); });
+  recorders_.for_each(&Recorder<dim>::add_step, gas);
   return report;
 }
 
@@ -163,7 +163,7 @@ bool GasSimulation<dim>::adapt()
   if (!core_.adapt(recorders_.template get<BlastMaps<dim>>()))
     return false;
   const auto gas = core_.snapshot();
-  recorders_.for_each([&](auto &recorder) { recorder.mesh_changed(gas); });
+  recorders_.for_each(&Recorder<dim>::mesh_changed, gas);
   return true;
 }
 
@@ -176,7 +176,7 @@ GasSimulation<dim>::write_fields(const std::string &folder, unsigned int index)
   auto &loads = recorders_.template get<WallLoads<dim>>();
   // Collective, hence before the first rank writes files, which may fail.
   loads.gather_skin();
-  recorders_.for_each([&](auto &recorder) { recorder.write(gas, folder); });
+  recorders_.for_each(&Recorder<dim>::write, gas, folder);
   auto files = output_.write(
     gas, recorders_.template get<BlastMaps<dim>>(), {folder, index});
   const std::string skin = loads.write_skin(folder, index, gas.time);
@@ -246,7 +246,7 @@ void GasSimulation<dim>::save(const std::string &folder)
 {
   // Collective calls come first, so that a rank that cannot write blocks no
   // other.
-  recorders_.for_each([](auto &recorder) { recorder.reduce_over_ranks(); });
+  recorders_.for_each(&Recorder<dim>::reduce_over_ranks);
   save_leaves(core_.mesh(),
               core_.field(),
               folder,
@@ -272,7 +272,7 @@ void GasSimulation<dim>::restore(const std::string &folder)
   recorders_.for_each([&](auto &recorder) { recorder.load(stream, folder); });
   core_.mesh_changed();
   const auto gas = core_.snapshot();
-  recorders_.for_each([&](auto &recorder) { recorder.mesh_changed(gas); });
+  recorders_.for_each(&Recorder<dim>::mesh_changed, gas);
   if (!stream)
     throw InputError("Checkpoint file " + folder +
                      "/gas.bin belongs to another scene");
@@ -333,7 +333,7 @@ std::vector<std::string> GasSimulation<dim>::gaps()
 template <int dim>
 void GasSimulation<dim>::finish(const std::string &folder)
 {
-  recorders_.for_each([](auto &recorder) { recorder.finish(); });
+  recorders_.for_each(&Recorder<dim>::finish);
   if (profile_file_.empty())
     return;
   const ProfileData data = profile();

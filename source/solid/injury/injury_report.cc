@@ -7,6 +7,7 @@
 #include <contrecoup/base/system/coordinates.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
+#include <contrecoup/base/system/timers.h>
 #include <contrecoup/io/file/binary_records.h>
 #include <contrecoup/io/file/checked_file.h>
 #include <contrecoup/solid/body/stress_invariants.h>
@@ -78,14 +79,14 @@ void InjuryReport<Real>::declare_parameters(ParameterHandler &prm)
 
 template <typename Real>
 void InjuryReport<Real>::parse_parameters(ParameterHandler &prm,
-                                          const double phantom_mass)
+                                          const MeshDescription &mesh)
 {
   own_.parse_parameters(prm, "Injury");
   const Section section(prm, "Injury");
   active_ = prm.get_bool("Active");
   averaged_ = prm.get("Pressure") == peak_pressure_names()[0];
   interval_ = read_unsigned(prm, "Every steps");
-  chest_.parse_parameters(prm, phantom_mass);
+  chest_.parse_parameters(prm, mesh.phantom_mass());
   if (!active_)
     own_.require({}, "Injury/Active = false");
   std::vector<std::string> taken = injury_measures_of({"head"});
@@ -98,6 +99,8 @@ void InjuryReport<Real>::parse_parameters(ParameterHandler &prm,
 template <typename Real>
 void InjuryReport<Real>::reinit(const SolidBody<Real> &body)
 {
+  if (!active_)
+    return;
   const SolidMesh &mesh = body.mesh();
   brain_ = static_cast<unsigned int>(
     std::find(mesh.tissues.begin(), mesh.tissues.end(), Tissue::brain) -
@@ -115,7 +118,7 @@ void InjuryReport<Real>::reinit(const SolidBody<Real> &body)
     record_.samples.push_back(sample);
   }
   find_skull(body);
-  find_chest(mesh, body.communicator());
+  check(mesh, body.communicator());
   record_.last_time = body.time();
 }
 
@@ -143,9 +146,11 @@ InjuryReport<Real>::assumptions(const SolidBody<Real> &body) const
 
 
 template <typename Real>
-void InjuryReport<Real>::find_chest(const SolidMesh &mesh,
-                                    const MPI_Comm communicator)
+void InjuryReport<Real>::check(const SolidMesh &mesh,
+                               const MPI_Comm communicator)
 {
+  if (!active_)
+    return;
   chest_wall_.reinit(mesh, chest_.place(), chest_.radius(), communicator);
   if (has(Tissue::lung, mesh))
     refuse_far_chest();
@@ -180,6 +185,9 @@ void InjuryReport<Real>::refuse_far_chest() const
 template <typename Real>
 void InjuryReport<Real>::record(const SolidBody<Real> &body)
 {
+  if (!active_)
+    return;
+  const TimerScope timer("injury");
   if (++record_.n_steps % interval_ != 0)
     return;
   follow_brain(body, body.time() - record_.last_time);
@@ -344,6 +352,8 @@ template <typename Real>
 void InjuryReport<Real>::save(const SolidBody<Real> &body,
                               const std::string &folder) const
 {
+  if (!active_)
+    return;
   const unsigned int rank =
     dealii::Utilities::MPI::this_mpi_process(body.communicator());
   io::write_file(io::rank_file(folder, "injury", rank), [&](std::ostream &out) {
@@ -359,7 +369,8 @@ template <typename Real>
 void InjuryReport<Real>::restore(const SolidBody<Real> &body,
                                  const std::string &folder)
 {
-  reinit(body);
+  if (!active_)
+    return;
   for (unsigned int rank = 0;
        std::filesystem::exists(io::rank_file(folder, "injury", rank));
        ++rank)

@@ -11,6 +11,8 @@ template <typename Real>
 std::vector<NamedValue>
 InjuryReport<Real>::history(const SolidBody<Real> &body) const
 {
+  if (!active_)
+    return {};
   std::vector<double> strains(record_.samples.size()),
     pressures(record_.samples.size());
   body.elements().visit(

@@ -98,6 +98,8 @@ void CavityRecord<Real>::record_elements(const SolidBody<Real> &body,
 template <typename Real>
 void CavityRecord<Real>::record(const SolidBody<Real> &body)
 {
+  if (tissues_.empty())
+    return;
   std::vector<double> volumes;
   for (Cavities &one : tissues_)
   {
@@ -134,7 +136,7 @@ CavityRecord<Real>::history(const SolidBody<Real> &body) const
 
 template <typename Real>
 std::vector<NamedValue>
-CavityRecord<Real>::measures(const SolidBody<Real> &body) const
+CavityRecord<Real>::results(const SolidBody<Real> &body) const
 {
   std::vector<NamedValue> list;
   for (const Cavities &one : tissues_)
@@ -185,6 +187,8 @@ template <typename Real>
 void CavityRecord<Real>::save(const SolidBody<Real> &body,
                               const std::string &folder) const
 {
+  if (tissues_.empty())
+    return;
   const unsigned int rank =
     dealii::Utilities::MPI::this_mpi_process(body.communicator());
   io::write_file(
@@ -209,7 +213,6 @@ template <typename Real>
 void CavityRecord<Real>::restore(const SolidBody<Real> &body,
                                  const std::string &folder)
 {
-  reinit(body);
   for (unsigned int rank = 0;
        std::filesystem::exists(io::rank_file(folder, "cavities", rank));
        ++rank)

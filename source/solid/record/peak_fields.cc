@@ -4,6 +4,7 @@
 #include <contrecoup/base/parameters/parameters.h>
 #include <contrecoup/base/parameters/used_with.h>
 #include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/timers.h>
 #include <contrecoup/io/file/binary_records.h>
 #include <contrecoup/io/file/checked_file.h>
 #include <contrecoup/solid/body/stress_invariants.h>
@@ -86,7 +87,8 @@ void PeakFields<Real>::declare_parameters(ParameterHandler &prm)
 
 
 template <typename Real>
-void PeakFields<Real>::parse_parameters(ParameterHandler &prm)
+void PeakFields<Real>::parse_parameters(ParameterHandler &prm,
+                                        const MeshDescription & /*mesh*/)
 {
   const Section section(prm, "Peaks");
   active_ = prm.get_bool("Active");
@@ -98,6 +100,8 @@ void PeakFields<Real>::parse_parameters(ParameterHandler &prm)
 template <typename Real>
 void PeakFields<Real>::reinit(const SolidBody<Real> &body)
 {
+  if (!active_)
+    return;
   for (std::vector<float> &field : fields_)
     field.assign(body.mesh().elements.size(), 0.F);
   averages_.assign(body.mesh().tissues.size(), {});
@@ -112,8 +116,9 @@ void PeakFields<Real>::reinit(const SolidBody<Real> &body)
 template <typename Real>
 void PeakFields<Real>::record(const SolidBody<Real> &body)
 {
-  if (++n_steps_ % interval_ != 0)
+  if (!active_ || ++n_steps_ % interval_ != 0)
     return;
+  const TimerScope timer("peaks");
   std::vector<float> pressures(body.mesh().elements.size(), 0.F);
   std::vector<char> is_straining(pressures.size(), 0);
   for (unsigned int k = 0; k < averages_.size(); ++k)
@@ -157,7 +162,7 @@ void PeakFields<Real>::record(const SolidBody<Real> &body)
 
 template <typename Real>
 std::vector<NamedValue>
-PeakFields<Real>::measures(const SolidBody<Real> &body) const
+PeakFields<Real>::results(const SolidBody<Real> &body) const
 {
   std::vector<NamedValue> list;
   for (unsigned int k = 0; k < averages_.size(); ++k)
@@ -226,6 +231,8 @@ template <typename Real>
 void PeakFields<Real>::save(const SolidBody<Real> &body,
                             const std::string &folder) const
 {
+  if (!active_)
+    return;
   const unsigned int rank =
     dealii::Utilities::MPI::this_mpi_process(body.communicator());
   std::vector<Record> records;
@@ -247,7 +254,8 @@ template <typename Real>
 void PeakFields<Real>::restore(const SolidBody<Real> &body,
                                const std::string &folder)
 {
-  reinit(body);
+  if (!active_)
+    return;
   std::unordered_map<std::uint32_t, std::size_t> here;
   for (std::size_t i = 0; i < body.mesh().elements.size(); ++i)
     here[body.mesh().global_element[i]] = i;

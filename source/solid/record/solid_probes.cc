@@ -9,14 +9,15 @@
 #include <contrecoup/base/system/coordinates.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
+#include <contrecoup/io/file/binary_records.h>
+#include <contrecoup/io/file/checked_file.h>
 #include <contrecoup/solid/body/stress_invariants.h>
 #include <contrecoup/solid/record/solid_probes.h>
 
 #include <algorithm>
 #include <cmath>
-#include <istream>
 #include <limits>
-#include <ostream>
+#include <sstream>
 
 namespace contrecoup::solid
 {
@@ -115,7 +116,8 @@ const std::vector<ProbeQuantity> &probe_quantities()
 }
 
 
-void SolidProbes::declare_parameters(ParameterHandler &prm)
+template <typename Real>
+void SolidProbes<Real>::declare_parameters(ParameterHandler &prm)
 {
   {
     const Section section(prm, "Probes");
@@ -176,7 +178,9 @@ void SolidProbes::declare_parameters(ParameterHandler &prm)
 }
 
 
-void SolidProbes::parse_parameters(ParameterHandler &prm)
+template <typename Real>
+void SolidProbes<Real>::parse_parameters(ParameterHandler &prm,
+                                         const MeshDescription & /*mesh*/)
 {
   {
     const Section section(prm, "Probes");
@@ -213,7 +217,9 @@ void SolidProbes::parse_parameters(ParameterHandler &prm)
 }
 
 
-void SolidProbes::reinit(const SolidMesh &mesh, const MPI_Comm communicator)
+template <typename Real>
+void SolidProbes<Real>::check(const SolidMesh &mesh,
+                              const MPI_Comm communicator)
 {
   for (ProbeLocation &location : locations_)
   {
@@ -251,9 +257,10 @@ void SolidProbes::reinit(const SolidMesh &mesh, const MPI_Comm communicator)
 }
 
 
-void SolidProbes::find_averaged(const SolidMesh &mesh,
-                                ProbeLocation &location,
-                                const MPI_Comm communicator)
+template <typename Real>
+void SolidProbes<Real>::find_averaged(const SolidMesh &mesh,
+                                      ProbeLocation &location,
+                                      const MPI_Comm communicator)
 {
   // Tissue and corners of the nearest element, known to all ranks.
   std::vector<std::uint64_t> known(9, 0);
@@ -295,7 +302,7 @@ void SolidProbes::find_averaged(const SolidMesh &mesh,
 
 
 template <typename Real>
-void SolidProbes::read(const SolidBody<Real> &body)
+void SolidProbes<Real>::read(const SolidBody<Real> &body)
 {
   std::fill(values_.begin(), values_.end(), 0.);
   double *value = values_.data();
@@ -330,53 +337,62 @@ void SolidProbes::read(const SolidBody<Real> &body)
 }
 
 
-void SolidProbes::Measure::take(const double now, const double time)
+template <typename Real>
+void SolidProbes<Real>::Measure::take(const double now, const double time)
 {
   if (time < first_time)
     return;
-  const bool first = n_read == 0.;
+  const bool first = state.n_read == 0.;
   if (statistic == "maximum")
-    value = first ? now : std::max(value, now);
+    state.value = first ? now : std::max(state.value, now);
   else if (statistic == "minimum")
-    value = first ? now : std::min(value, now);
+    state.value = first ? now : std::min(state.value, now);
   else if (statistic == "last")
-    value = now;
-  else if (!first && (last < threshold) != (now < threshold) &&
+    state.value = now;
+  else if (!first && (state.last < threshold) != (now < threshold) &&
            (statistic == "arrival" || now >= threshold))
   {
-    value = last_time + (time - last_time) * (threshold - last) / (now - last);
-    if (n_crossings == 0.)
-      first_crossing = value;
-    ++n_crossings;
+    state.value = state.last_time + (time - state.last_time) *
+                                      (threshold - state.last) /
+                                      (now - state.last);
+    if (state.n_crossings == 0.)
+      state.first_crossing = state.value;
+    ++state.n_crossings;
   }
-  last = now;
-  last_time = time;
-  ++n_read;
+  state.last = now;
+  state.last_time = time;
+  ++state.n_read;
 }
 
 
-bool SolidProbes::Measure::is_found() const
+template <typename Real>
+bool SolidProbes<Real>::Measure::is_found() const
 {
-  return n_read > 0. && n_crossings >= (statistic == "arrival"     ? 1.
-                                        : statistic == "frequency" ? 2.
-                                                                   : 0.);
+  return state.n_read > 0. &&
+         state.n_crossings >= (statistic == "arrival"     ? 1.
+                               : statistic == "frequency" ? 2.
+                                                          : 0.);
 }
 
 
-double SolidProbes::Measure::result() const
+template <typename Real>
+double SolidProbes<Real>::Measure::result() const
 {
   if (!is_found())
     return std::numeric_limits<double>::quiet_NaN();
   if (statistic == "arrival")
-    return first_crossing;
+    return state.first_crossing;
   if (statistic == "frequency")
-    return (n_crossings - 1.) / (value - first_crossing);
-  return value;
+    return (state.n_crossings - 1.) / (state.value - state.first_crossing);
+  return state.value;
 }
 
 
-std::vector<NamedValue> SolidProbes::values() const
+template <typename Real>
+std::vector<NamedValue> SolidProbes<Real>::values(const SolidBody<Real> &body)
 {
+  if (measures_.empty() && !locations_.empty())
+    read(body);
   std::vector<NamedValue> result;
   const auto &quantities = probe_quantities();
   for (std::size_t i = 0; i < values_.size(); ++i)
@@ -391,7 +407,9 @@ std::vector<NamedValue> SolidProbes::values() const
 }
 
 
-std::vector<NamedValue> SolidProbes::measured() const
+template <typename Real>
+std::vector<NamedValue>
+SolidProbes<Real>::results(const SolidBody<Real> & /*body*/) const
 {
   std::vector<NamedValue> result;
   const auto &quantities = probe_quantities();
@@ -409,13 +427,14 @@ std::vector<NamedValue> SolidProbes::measured() const
 }
 
 
-std::vector<std::string> SolidProbes::gaps() const
+template <typename Real>
+std::vector<std::string> SolidProbes<Real>::gaps() const
 {
   std::vector<std::string> lines;
   for (const Measure &measure : measures_)
     if (!measure.is_found())
       lines.push_back("Measures/Measure " + measure.name + " has no value: " +
-                      (measure.n_read == 0.
+                      (measure.state.n_read == 0.
                          ? "the run ended before First time = " +
                              brief(measure.first_time) + " s"
                          : "its signal " +
@@ -427,7 +446,8 @@ std::vector<std::string> SolidProbes::gaps() const
 }
 
 
-std::vector<NamedValue> SolidProbes::errors() const
+template <typename Real>
+std::vector<NamedValue> SolidProbes<Real>::errors() const
 {
   std::vector<NamedValue> result;
   for (const Measure &measure : measures_)
@@ -438,32 +458,35 @@ std::vector<NamedValue> SolidProbes::errors() const
 }
 
 
-void SolidProbes::save(std::ostream &stream) const
+template <typename Real>
+void SolidProbes<Real>::save(const SolidBody<Real> &body,
+                             const std::string &folder) const
 {
-  for (const Measure &m : measures_)
-    for (const double number : {m.value,
-                                m.last,
-                                m.last_time,
-                                m.first_crossing,
-                                m.n_crossings,
-                                m.n_read})
-      stream.write(reinterpret_cast<const char *>(&number), sizeof(number));
+  if (measures_.empty() ||
+      dealii::Utilities::MPI::this_mpi_process(body.communicator()) != 0)
+    return;
+  io::write_file(folder + "/measures.bin", [&](std::ostream &out) {
+    for (const Measure &measure : measures_)
+      io::write_binary(out, measure.state);
+  });
 }
 
 
-void SolidProbes::load(std::istream &stream)
+template <typename Real>
+void SolidProbes<Real>::restore(const SolidBody<Real> & /*body*/,
+                                const std::string &folder)
 {
-  for (Measure &m : measures_)
-    for (double *number : {&m.value,
-                           &m.last,
-                           &m.last_time,
-                           &m.first_crossing,
-                           &m.n_crossings,
-                           &m.n_read})
-      stream.read(reinterpret_cast<char *>(number), sizeof(*number));
+  if (measures_.empty())
+    return;
+  const std::string file = folder + "/measures.bin";
+  std::istringstream in(io::read_file(file));
+  for (Measure &measure : measures_)
+    io::read_binary(in, measure.state);
+  if (!in)
+    throw InputError("Checkpoint file " + file + " belongs to another scene");
 }
 
 
-template void SolidProbes::read(const SolidBody<double> &);
-template void SolidProbes::read(const SolidBody<float> &);
+template class SolidProbes<double>;
+template class SolidProbes<float>;
 } // namespace contrecoup::solid

@@ -72,9 +72,7 @@ void SolidSimulation<Real>::declare_parameters(ParameterHandler &prm)
   Surroundings::declare_parameters(prm);
   InitialMotion::declare_parameters(prm);
   ReferenceMotion::declare_parameters(prm);
-  SolidProbes::declare_parameters(prm);
-  InjuryReport<Real>::declare_parameters(prm);
-  PeakFields<Real>::declare_parameters(prm);
+  SolidRecorders<Real>::declare_parameters(prm);
   EnergyAudit::declare_parameters(prm);
 }
 
@@ -97,9 +95,9 @@ void SolidSimulation<Real>::parse_parameters(ParameterHandler &prm)
   surroundings_.parse_parameters(prm);
   initial_.parse_parameters(prm);
   reference_.parse_parameters(prm);
-  probes_.parse_parameters(prm);
-  injury_.parse_parameters(prm, mesh_description_.phantom_mass());
-  peaks_.parse_parameters(prm);
+  recorders_.for_each([&](SolidRecorder<Real> &recorder) {
+    recorder.parse_parameters(prm, mesh_description_);
+  });
   audit_.parse_parameters(prm);
   const Section section(prm, "Time");
   end_time_ = read_double(prm, "End time");
@@ -137,12 +135,7 @@ void SolidSimulation<Real>::build()
   surroundings_.set_step(stable_step_,
                          1. - factor * factor * (1. - safety_ * safety_));
   body_.set_surroundings(surroundings_);
-  probes_.reinit(body_.mesh(), communicator_);
-  if (injury_.active())
-    injury_.reinit(body_);
-  if (peaks_.active())
-    peaks_.reinit(body_);
-  cavities_.reinit(body_);
+  recorders_.for_each(&SolidRecorder<Real>::reinit, body_);
 }
 
 
@@ -154,8 +147,7 @@ void SolidSimulation<Real>::setup()
   initial_.set(body_.mesh(), body_.nodes());
   surroundings_.refuse_buried(body_.nodes(), communicator_);
   body_.start(0.);
-  if (probes_.measures())
-    probes_.read(body_);
+  recorders_.for_each(&SolidRecorder<Real>::begin, body_);
   warn_of_rest(check_energy());
 }
 
@@ -189,20 +181,7 @@ StepReport SolidSimulation<Real>::advance(const double largest_step)
   reduction_ = std::min(
     1., std::ldexp(reduction_, -static_cast<int>(made.retries)) * regrowth);
   report.updates = static_cast<double>(body_.mesh().n_global_elements);
-  if (injury_.active())
-  {
-    const TimerScope timer("injury");
-    injury_.record(body_);
-  }
-  if (peaks_.active())
-  {
-    const TimerScope timer("peaks");
-    peaks_.record(body_);
-  }
-  if (cavities_.active())
-    cavities_.record(body_);
-  if (probes_.measures())
-    probes_.read(body_);
+  recorders_.for_each(&SolidRecorder<Real>::record, body_);
   return report;
 }
 
@@ -296,10 +275,8 @@ std::vector<NamedValue> SolidSimulation<Real>::history()
       values.push_back(
         {tissue_column("hourglass_energy", tissues[i]), "J", one.hourglass});
     }
-  if (injury_.active())
-    for (const NamedValue &value : injury_.history(body_))
-      values.push_back(value);
-  for (const NamedValue &value : cavities_.history(body_))
+  for (const NamedValue &value :
+       recorders_.collect(&SolidRecorder<Real>::history, body_))
     values.push_back(value);
   return values;
 }
@@ -308,11 +285,7 @@ std::vector<NamedValue> SolidSimulation<Real>::history()
 template <typename Real>
 std::vector<NamedValue> SolidSimulation<Real>::probes()
 {
-  if (probes_.empty())
-    return {};
-  if (!probes_.measures())
-    probes_.read(body_);
-  return probes_.values();
+  return recorders_.template get<SolidProbes<Real>>().values(body_);
 }
 
 
@@ -321,7 +294,10 @@ std::vector<FieldFile>
 SolidSimulation<Real>::write_fields(const std::string &folder,
                                     const unsigned int index)
 {
-  return {{"", write_solid(body_, peaks_, folder, index)}};
+  return {
+    {"",
+     write_solid(
+       body_, recorders_.template get<PeakFields<Real>>(), folder, index)}};
 }
 
 
@@ -329,25 +305,24 @@ template <typename Real>
 std::vector<NamedValue> SolidSimulation<Real>::errors()
 {
   std::vector<NamedValue> values = reference_.errors(body_);
-  for (const NamedValue &value : probes_.errors())
+  for (const NamedValue &value :
+       recorders_.collect(&SolidRecorder<Real>::errors))
     values.push_back(value);
   return values;
 }
 
 
 template <typename Real>
+std::vector<std::string> SolidSimulation<Real>::gaps()
+{
+  return recorders_.collect(&SolidRecorder<Real>::gaps);
+}
+
+
+template <typename Real>
 std::vector<NamedValue> SolidSimulation<Real>::results()
 {
-  std::vector<NamedValue> values = probes_.measured();
-  if (injury_.active())
-    for (const NamedValue &value : values_of(injury_.measures(body_)))
-      values.push_back(value);
-  if (peaks_.active())
-    for (const NamedValue &value : peaks_.measures(body_))
-      values.push_back(value);
-  for (const NamedValue &value : cavities_.measures(body_))
-    values.push_back(value);
-  return values;
+  return recorders_.collect(&SolidRecorder<Real>::results, body_);
 }
 
 
@@ -396,9 +371,10 @@ std::vector<NamedValue> SolidSimulation<Real>::checks()
 template <typename Real>
 void SolidSimulation<Real>::report_injury(const std::string &folder)
 {
-  if (!injury_.active())
+  const auto &injury = recorders_.template get<InjuryReport<Real>>();
+  if (!injury.active())
     return;
-  const auto measures = injury_.measures(body_);
+  const auto measures = injury.measures(body_);
   for (const InjuryMeasure &measure : measures)
     show_line("  " + in_words(measure));
   if (dealii::Utilities::MPI::this_mpi_process(communicator_) == 0)
@@ -432,19 +408,13 @@ template <typename Real>
 void SolidSimulation<Real>::save(const std::string &folder)
 {
   body_.save(folder);
-  if (injury_.active())
-    injury_.save(body_, folder);
-  if (peaks_.active())
-    peaks_.save(body_, folder);
-  if (cavities_.active())
-    cavities_.save(body_, folder);
+  recorders_.for_each(&SolidRecorder<Real>::save, body_, folder);
   if (dealii::Utilities::MPI::this_mpi_process(communicator_) == 0)
-    io::write_file(folder + "/probes.bin", [&](std::ostream &out) {
+    io::write_file(folder + "/run.bin", [&](std::ostream &out) {
       for (const double value :
            {reduction_, deformed_step_, steps_until_check_, told_step_})
         io::write_binary(out, value);
       audit_.save(out);
-      probes_.save(out);
     });
 }
 
@@ -454,21 +424,15 @@ void SolidSimulation<Real>::restore(const std::string &folder)
 {
   build();
   body_.restore(folder);
-  if (injury_.active())
-    injury_.restore(body_, folder);
-  if (peaks_.active())
-    peaks_.restore(body_, folder);
-  if (cavities_.active())
-    cavities_.restore(body_, folder);
-  std::istringstream stream(io::read_file(folder + "/probes.bin"));
+  recorders_.for_each(&SolidRecorder<Real>::restore, body_, folder);
+  std::istringstream stream(io::read_file(folder + "/run.bin"));
   for (double *value :
        {&reduction_, &deformed_step_, &steps_until_check_, &told_step_})
     io::read_binary(stream, *value);
   audit_.load(stream, body_.mesh().tissues.size());
-  probes_.load(stream);
   if (!stream)
     throw InputError("Checkpoint file " + folder +
-                     "/probes.bin belongs to another scene");
+                     "/run.bin belongs to another scene");
 }
 
 

@@ -36,14 +36,15 @@ namespace
 
 
 template <typename Real>
-SolidSelectors SolidSimulation<Real>::selectors() const
+SolidSelectors SolidSimulation<Real>::selectors()
 {
+  const auto &injury = recorders_.template get<InjuryReport<Real>>();
   return {supports_,
           loads_,
           materials_,
           slip_,
-          injury_.own_thresholds(),
-          injury_.active()};
+          injury.own_thresholds(),
+          injury.active()};
 }
 
 
@@ -81,9 +82,7 @@ std::uint64_t SolidSimulation<Real>::check_selections()
   const SolidMesh part = distribute(mesh, communicator_, slip);
   require_selections(part, selectors(), communicator_);
   warn_of_supports(part, selectors(), communicator_);
-  probes_.reinit(part, communicator_);
-  if (injury_.active())
-    injury_.find_chest(part, communicator_);
+  recorders_.for_each(&SolidRecorder<Real>::check, part, communicator_);
   return part.n_global_nodes;
 }
 
@@ -107,7 +106,8 @@ std::vector<Assumption> SolidSimulation<Real>::plan()
                      false,
                      "Materials/Tissue " + name_of(tissue)});
   const std::vector<Tissue> &tissues = body_.mesh().tissues;
-  if (injury_.active() && !tissues.empty() &&
+  const auto &injury = recorders_.template get<InjuryReport<Real>>();
+  if (injury.active() && !tissues.empty() &&
       std::find(tissues.begin(), tissues.end(), Tissue::brain) == tissues.end())
     items.push_back({"brain",
                      "none: brain and head get no measures of injury",
@@ -117,7 +117,7 @@ std::vector<Assumption> SolidSimulation<Real>::plan()
                      std::numeric_limits<double>::quiet_NaN(),
                      false,
                      "Injury/Active"});
-  for (const Assumption &item : injury_.assumptions(body_))
+  for (const Assumption &item : injury.assumptions(body_))
     items.push_back(item);
   items.push_back(strain_item(options_.kinematics));
   return items;
@@ -130,7 +130,9 @@ std::vector<Assumption> SolidSimulation<Real>::audit()
   std::vector<Assumption> items = unmeasured(plan());
   for (Assumption &item : items)
     if (item.name == strain_item(options_.kinematics).name)
-      item = strain_item(options_.kinematics, peaks_.most_strained(body_));
+      item = strain_item(
+        options_.kinematics,
+        recorders_.template get<PeakFields<Real>>().most_strained(body_));
   return items;
 }
 

@@ -47,7 +47,7 @@ using KnownRecord =
  * Interface of the objects that observe the gas after each time step and keep a
  * record of it. A derived class overrides the functions that it needs, declares
  * its entries of the parameter file by a static function declare_parameters(),
- * and is listed in RecorderList. All recorders exist in every run: one that is
+ * and is listed in Recorders. All recorders exist in every run: one that is
  * off returns at once. All functions except load() and save() are collective.
  * The first rank of MPI_COMM_WORLD writes files: in 1-D each rank has all of
  * the mesh, and a communicator of its own.

@@ -3,16 +3,12 @@
 
 #pragma once
 
-#include <contrecoup/base/run/simulation.h>
 #include <contrecoup/solid/body/surface_patch.h>
 #include <contrecoup/solid/body/tissue_average.h>
 #include <contrecoup/solid/injury/brain_record.h>
 #include <contrecoup/solid/injury/chest_injury.h>
-#include <contrecoup/solid/motion/solid_body.h>
+#include <contrecoup/solid/record/solid_recorder.h>
 
-#include <deal.II/base/parameter_handler.h>
-
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -21,17 +17,12 @@ namespace contrecoup::solid
 /// Records injury measures: strain and pressure in the brain, motion of the
 /// head, pressure on the chest. Subsection "Injury".
 template <typename Real>
-class InjuryReport
+class InjuryReport : public SolidRecorder<Real>
 {
 public:
   static void declare_parameters(dealii::ParameterHandler &prm);
-
-  /// @param phantom_mass of the body [kg]; NaN: it is no phantom
-  void parse_parameters(
-    dealii::ParameterHandler &prm,
-    double phantom_mass = std::numeric_limits<double>::quiet_NaN());
-
-  /// Whether recording is active.
+  void parse_parameters(dealii::ParameterHandler &prm,
+                        const MeshDescription &mesh) override;
   bool active() const
   {
     return active_;
@@ -47,27 +38,27 @@ public:
     return own_;
   }
 
-  /// @p body must outlive this. @throws InputError if the body has a lung but
-  /// no surface near the chest
-  void reinit(const SolidBody<Real> &body);
-
-  /// Finds the surface near the chest, as reinit() does. Collective.
+  /// Finds the surface near the chest, as reinit() does.
   /// @throws InputError if the body has a lung but no surface there
-  void find_chest(const SolidMesh &mesh, MPI_Comm communicator);
+  void check(const SolidMesh &mesh, MPI_Comm communicator) override;
 
-  /// Call after each step. Collective.
-  void record(const SolidBody<Real> &body);
+  void reinit(const SolidBody<Real> &body) override;
+  void record(const SolidBody<Real> &body) override;
 
   /// Percentiles by volume of the brain at the present: 95 % of principal
-  /// strain, 95 % and 5 % of pressure. Collective.
-  std::vector<NamedValue> history(const SolidBody<Real> &body) const;
+  /// strain, 95 % and 5 % of pressure.
+  std::vector<NamedValue> history(const SolidBody<Real> &body) const override;
 
   /// All measures recorded so far. Collective.
   std::vector<InjuryMeasure> measures(const SolidBody<Real> &body) const;
+  std::vector<NamedValue> results(const SolidBody<Real> &body) const override
+  {
+    return active_ ? values_of(measures(body)) : std::vector<NamedValue>();
+  }
 
-  /// Saves the record of this rank to @p folder, or restores it.
-  void save(const SolidBody<Real> &body, const std::string &folder) const;
-  void restore(const SolidBody<Real> &body, const std::string &folder);
+  void save(const SolidBody<Real> &body,
+            const std::string &folder) const override;
+  void restore(const SolidBody<Real> &body, const std::string &folder) override;
 
 private:
   void follow_brain(const SolidBody<Real> &body, const double span);

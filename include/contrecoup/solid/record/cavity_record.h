@@ -3,8 +3,7 @@
 
 #pragma once
 
-#include <contrecoup/base/run/simulation.h>
-#include <contrecoup/solid/motion/solid_body.h>
+#include <contrecoup/solid/record/solid_recorder.h>
 
 #include <string>
 #include <vector>
@@ -16,35 +15,25 @@ namespace contrecoup::solid
  * their volume over time, and the pressures at which they collapse.
  */
 template <typename Real>
-class CavityRecord
+class CavityRecord : public SolidRecorder<Real>
 {
 public:
-  /// @p body must outlive this.
-  void reinit(const SolidBody<Real> &body);
-
-  /// Whether any tissue cavitates, the same on all ranks.
-  bool active() const
-  {
-    return !tissues_.empty();
-  }
-
-  /// Call after each step. Collective.
-  void record(const SolidBody<Real> &body);
+  void reinit(const SolidBody<Real> &body) override;
+  void record(const SolidBody<Real> &body) override;
 
   /// Volume of the cavities by tissue, as "vapour_volume_brain" [m^3].
-  std::vector<NamedValue> history(const SolidBody<Real> &body) const;
+  std::vector<NamedValue> history(const SolidBody<Real> &body) const override;
 
   /// By tissue the largest volume of cavities over time, with its time, and
   /// the highest pressure of an element after it had held a cavity, with the
   /// time and the centre of the undeformed element; zero without any. A volume
   /// that grows, and a pressure that grows or while cavities are open, have a
-  /// "NAME_cut_off", which is 1. Collective.
-  std::vector<NamedValue> measures(const SolidBody<Real> &body) const;
+  /// "NAME_cut_off", which is 1.
+  std::vector<NamedValue> results(const SolidBody<Real> &body) const override;
 
-  /// Saves this rank's part to @p folder, or restores what any number of
-  /// ranks saved. @throws InputError for files of another scene
-  void save(const SolidBody<Real> &body, const std::string &folder) const;
-  void restore(const SolidBody<Real> &body, const std::string &folder);
+  void save(const SolidBody<Real> &body,
+            const std::string &folder) const override;
+  void restore(const SolidBody<Real> &body, const std::string &folder) override;
 
 private:
   /// An element that held a cavity.

@@ -3,11 +3,8 @@
 
 #pragma once
 
-#include <contrecoup/base/run/simulation.h>
 #include <contrecoup/solid/body/tissue_average.h>
-#include <contrecoup/solid/motion/solid_body.h>
-
-#include <deal.II/base/parameter_handler.h>
+#include <contrecoup/solid/record/solid_recorder.h>
 
 #include <array>
 #include <limits>
@@ -30,7 +27,7 @@ struct StrainedTissue
  * fields, and by tissue in the summary. Subsection "Peaks".
  */
 template <typename Real>
-class PeakFields
+class PeakFields : public SolidRecorder<Real>
 {
 public:
   static constexpr unsigned int n_fields = 4;
@@ -40,25 +37,20 @@ public:
   static const std::array<std::string, n_fields> units;
 
   static void declare_parameters(dealii::ParameterHandler &prm);
-  void parse_parameters(dealii::ParameterHandler &prm);
-
-  /// Whether peaks are recorded.
+  void parse_parameters(dealii::ParameterHandler &prm,
+                        const MeshDescription &mesh) override;
   bool active() const
   {
     return active_;
   }
-
-  /// @p body must outlive this. Collective.
-  void reinit(const SolidBody<Real> &body);
-
-  /// Call after each step. Collective.
-  void record(const SolidBody<Real> &body);
+  void reinit(const SolidBody<Real> &body) override;
+  void record(const SolidBody<Real> &body) override;
 
   /// For each tissue, as "highest_pressure_brain": the extreme values over its
   /// elements and, as "principal_strain_95_brain", the volume-weighted 95th
   /// percentile of the elements' largest principal strain. Of a value that
-  /// the last evaluation changed also "NAME_cut_off", which is 1. Collective.
-  std::vector<NamedValue> measures(const SolidBody<Real> &body) const;
+  /// the last evaluation changed also "NAME_cut_off", which is 1.
+  std::vector<NamedValue> results(const SolidBody<Real> &body) const override;
 
   /// The tissue of which 95 % has had the largest strains. Collective.
   StrainedTissue most_strained(const SolidBody<Real> &body) const;
@@ -69,10 +61,9 @@ public:
     return fields_[number];
   }
 
-  /// Saves this rank's peaks to @p folder, or restores what any number of
-  /// ranks saved. @throws InputError for files of another scene
-  void save(const SolidBody<Real> &body, const std::string &folder) const;
-  void restore(const SolidBody<Real> &body, const std::string &folder);
+  void save(const SolidBody<Real> &body,
+            const std::string &folder) const override;
+  void restore(const SolidBody<Real> &body, const std::string &folder) override;
 
 private:
   /// The largest principal strain that 95 % of a tissue has not exceeded.

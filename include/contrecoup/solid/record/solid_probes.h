@@ -3,12 +3,11 @@
 
 #pragma once
 
-#include <contrecoup/base/run/simulation.h>
-#include <contrecoup/solid/motion/solid_body.h>
+#include <contrecoup/solid/record/solid_recorder.h>
 
-#include <deal.II/base/parameter_handler.h>
-
-#include <iosfwd>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace contrecoup::solid
 {
@@ -27,50 +26,63 @@ const std::vector<ProbeQuantity> &probe_quantities();
 
 /// Probes in the body, subsection "Probes", and statistics of their signals
 /// over time, subsection "Measures".
-class SolidProbes
+template <typename Real>
+class SolidProbes : public SolidRecorder<Real>
 {
 public:
   static void declare_parameters(dealii::ParameterHandler &prm);
 
   /// @throws InputError for a measure of a missing probe
-  void parse_parameters(dealii::ParameterHandler &prm);
-
-  /// Finds the node and the element nearest to each probe. Collective.
-  /// @throws InputError on all ranks for a probe outside of the body, by more
-  /// than half an element: stairs of voxels are that far from a surface
-  void reinit(const SolidMesh &mesh, MPI_Comm communicator);
-
-  /// Reads all probes and updates the measures. Collective.
-  template <typename Real>
-  void read(const SolidBody<Real> &body);
-
-  /// Whether read() must be called after every step.
-  bool measures() const
-  {
-    return !measures_.empty();
-  }
+  void parse_parameters(dealii::ParameterHandler &prm,
+                        const MeshDescription &mesh) override;
 
   bool empty() const
   {
     return locations_.empty();
   }
 
-  /// The last values read, named "probe_1_pressure" and so on.
-  std::vector<NamedValue> values() const;
+  /// Finds the node and the element nearest to each probe.
+  /// @throws InputError on all ranks for a probe outside of the body, by more
+  /// than half an element: stairs of voxels are that far from a surface
+  void check(const SolidMesh &mesh, MPI_Comm communicator) override;
+
+  void reinit(const SolidBody<Real> &body) override
+  {
+    check(body.mesh(), body.communicator());
+  }
+  void begin(const SolidBody<Real> &body) override
+  {
+    record(body);
+  }
+
+  /// Updates the measures; without any, probes are read where they are
+  /// written.
+  void record(const SolidBody<Real> &body) override
+  {
+    if (!measures_.empty())
+      read(body);
+  }
+
+  /// Values at the present, named "probe_1_pressure" and so on.
+  std::vector<NamedValue> values(const SolidBody<Real> &body);
 
   /// Results of the measures, by name; NaN: gaps() tell why.
-  std::vector<NamedValue> measured() const;
+  std::vector<NamedValue> results(const SolidBody<Real> &body) const override;
 
   /// A line for each measure that has no value.
-  std::vector<std::string> gaps() const;
+  std::vector<std::string> gaps() const override;
 
   /// Relative errors of the measures against their expected values.
-  std::vector<NamedValue> errors() const;
+  std::vector<NamedValue> errors() const override;
 
-  void save(std::ostream &stream) const;
-  void load(std::istream &stream);
+  void save(const SolidBody<Real> &body,
+            const std::string &folder) const override;
+  void restore(const SolidBody<Real> &body, const std::string &folder) override;
 
 private:
+  /// Reads all probes and updates the measures.
+  void read(const SolidBody<Real> &body);
+
   struct ProbeLocation
   {
     dealii::Point<3> point;
@@ -95,13 +107,15 @@ private:
     double expected;
     double first_time;
     double threshold;
-    /// State of the statistic: extreme value, or times of crossings.
-    double value = 0.;
-    double last = 0.;
-    double last_time = 0.;
-    double first_crossing = 0.;
-    double n_crossings = 0.;
-    double n_read = 0.;
+    struct State
+    {
+      double value = 0.; ///< extreme value, or time of the last crossing
+      double last = 0.;
+      double last_time = 0.;
+      double first_crossing = 0.;
+      double n_crossings = 0.;
+      double n_read = 0.;
+    } state;
 
     void take(double now, double time);
     bool is_found() const;

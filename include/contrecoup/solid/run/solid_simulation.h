@@ -6,13 +6,10 @@
 #include <contrecoup/base/run/simulation.h>
 #include <contrecoup/solid/body/mesh_description.h>
 #include <contrecoup/solid/body/solid_materials.h>
-#include <contrecoup/solid/injury/injury_report.h>
 #include <contrecoup/solid/motion/solid_body.h>
-#include <contrecoup/solid/record/cavity_record.h>
 #include <contrecoup/solid/record/displacement_field.h>
-#include <contrecoup/solid/record/peak_fields.h>
-#include <contrecoup/solid/record/solid_probes.h>
 #include <contrecoup/solid/run/energy_audit.h>
+#include <contrecoup/solid/run/solid_recorders.h>
 #include <contrecoup/solid/run/solid_selections.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -63,16 +60,13 @@ public:
   std::vector<NamedValue> errors() override;
   std::vector<NamedValue> results() override;
   std::vector<NamedValue> checks() override;
-  std::vector<std::string> gaps() override
-  {
-    return probes_.gaps();
-  }
+  std::vector<std::string> gaps() override;
   void finish(const std::string &folder) override;
   std::pair<std::uint64_t, std::uint64_t> size() const override;
 
 private:
   void build();
-  SolidSelectors selectors() const;
+  SolidSelectors selectors();
 
   /// Builds the mesh to find entries that select nothing; returns its number
   /// of nodes.
@@ -102,10 +96,7 @@ private:
   Surroundings surroundings_;
   InitialMotion initial_;
   ReferenceMotion reference_;
-  SolidProbes probes_;
-  InjuryReport<Real> injury_;
-  PeakFields<Real> peaks_;
-  CavityRecord<Real> cavities_;
+  SolidRecorders<Real> recorders_;
   double safety_ = 0.9;
   double smallest_step_ = 0.; ///< of an element, for mass scaling [s]
   EnergyAudit audit_;
