@@ -250,8 +250,9 @@ void WallContact::apply_force(const RigidWall &wall,
   const auto along = velocity - (velocity * normal) * normal;
   // Friction stops motion but does not reverse it.
   constexpr double slowest = 1e-6;
-  const auto force = press * normal - wall.friction * press /
-                                        std::max(along.norm(), slowest) * along;
+  const auto friction =
+    -wall.friction * press / std::max(along.norm(), slowest) * along;
+  const auto force = press * normal + friction;
   // The moment arises because the force acts at the surface, not at the
   // particle.
   dealii::Tensor<1, 3> arm;
@@ -267,7 +268,7 @@ void WallContact::apply_force(const RigidWall &wall,
       0.5 * (force[i] * arm[j] + force[j] * arm[i]);
   }
   measures_.force += press;
-  measures_.friction_power += (force - press * normal) * velocity;
+  measures_.friction_power += friction * velocity;
   // Uses the grid velocity, without the deviation of particle velocities from
   // it.
   dealii::Tensor<1, 3> slide;
