@@ -24,3 +24,12 @@ if(DOXYGEN_FOUND)
     ${PROJECT_SOURCE_DIR}/source/README.md ${PROJECT_SOURCE_DIR}/CONTRIBUTING.md
     COMMENT "Pages of the headers, in build/api/html")
 endif()
+
+# cmake --build build --target house: its layers, drawn from the includes.
+find_package(Python3 COMPONENTS Interpreter)
+if(Python3_FOUND)
+  add_custom_target(house
+    COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/tests/checks/house.py
+      ${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR}/house.svg
+    COMMENT "Layers and modules, in build/house.svg" USES_TERMINAL)
+endif()

@@ -12,6 +12,7 @@ is 1.
 import os
 import re
 import shutil
+import statistics
 import subprocess
 import sys
 import tempfile
@@ -47,7 +48,12 @@ GUIDES = [os.path.join("source", "README.md"), "CONTRIBUTING.md"]
 # Those of the Python package applications/plot.
 PLOT_MODULES = ["readers", "analysis", "figures", "report", "commands"]
 
-LONGEST_README = 200  # of the top level: five minutes
+# Texts of the top level: five minutes each.
+LONGEST_TEXTS = {"README.md": 200, "CONTRIBUTING.md": 150}
+LARGEST_MEDIAN = 100  # of files of the library
+# Lines that folders may have; a change that needs more says why.
+MOST_LINES = {("include", "source"): 136_500, ("applications",): 13_800,
+              ("tests",): 71_000}
 LONGEST_HEADER = 250
 LONGEST_SOURCE = 500
 LONGEST_MAIN = 40
@@ -193,10 +199,10 @@ def plot_modules(root):
 def lengths(root):
     """No file is longer than one reader holds."""
     problems = []
-    readme = [path for path in texts(root) if path == "README.md"]
-    for path in [*cpp_files(root), *readme]:
-        if path == "README.md":
-            limit = LONGEST_README
+    limited = [path for path in texts(root) if path in LONGEST_TEXTS]
+    for path in [*cpp_files(root), *limited]:
+        if path in LONGEST_TEXTS:
+            limit = LONGEST_TEXTS[path]
         elif path.endswith(".h"):
             limit = LONGEST_HEADER
         elif os.path.basename(path) == "main.cc":
@@ -206,6 +212,26 @@ def lengths(root):
         count = len(lines_of(root, path))
         if count > limit:
             problems.append(f"{path}: {count} lines, at most {limit}")
+    return problems
+
+
+def sizes(root):
+    """The tree grows by decision alone."""
+    problems = []
+    for folders, most in MOST_LINES.items():
+        counts = [len(lines_of(root, os.path.relpath(os.path.join(here, name),
+                                                     root)))
+                  for folder in folders
+                  for here, _, names in os.walk(os.path.join(root, folder))
+                  for name in names
+                  if name.endswith((".h", ".cc", ".py", ".cmake"))]
+        if sum(counts) > most:
+            problems.append(f"{' and '.join(folders)}: {sum(counts)} lines, at "
+                            f"most {most}")
+        if "source" in folders and counts \
+                and statistics.median(counts) > LARGEST_MEDIAN:
+            problems.append("include and source: half of the files have more "
+                            f"than {LARGEST_MEDIAN} lines")
     return problems
 
 
@@ -514,8 +540,8 @@ def spelling(root):
 
 
 CHECKS = {check.__name__: check for check in
-          (layers, modules, plot_modules, lengths, functions, mirror, overloads,
-           licence, parameters, guide, links, citation, spelling,
+          (layers, modules, plot_modules, lengths, sizes, functions, mirror,
+           overloads, licence, parameters, guide, links, citation, spelling,
            formatting, tidy)}
 
 

@@ -7,6 +7,7 @@ import shutil
 import subprocess
 import tempfile
 import unittest
+import unittest.mock
 
 import check_tree
 
@@ -146,6 +147,14 @@ class TreeTest(unittest.TestCase):
         self.assertEqual(check_tree.lengths(self.root), [])
         self.write("README.md", "\n" * 201)
         self.expect("lengths", "README.md: 201 lines, at most 200")
+
+    def test_large_tree(self):
+        with unittest.mock.patch.dict(check_tree.MOST_LINES,
+                                      {("include", "source"): 20}):
+            self.expect("sizes", "include and source: 2", "at most 20")
+        for name in "abcdef":
+            self.write(f"source/base/{name}.cc", "\n" * 101)
+        self.expect("sizes", "half of the files have more than 100 lines")
 
     def test_long_function(self):
         self.write("source/base/lanes.cc", function_of(60))
