@@ -33,7 +33,7 @@ CostEstimate forecast(const std::vector<std::string> &entries)
 }
 } // namespace
 
-// Of a stage of a scene, the memory that the scene has already is part.
+// The forecast of a stage includes the memory that its scene holds already.
 TEST(AnatomyForecast, HasTheMemoryOfItsProcess)
 {
   const std::vector<char> others(400'000'000, 1);

@@ -20,7 +20,7 @@ namespace
 {
 using Lines = std::vector<std::string>;
 
-/// A hot ball beside a cylinder on the ground; leaves get larger at 1.6 ms.
+/// A hot ball next to a cylinder on the ground; leaves get larger at 1.6 ms.
 const Lines beside_cylinder = {"Domain/Dimension=3",
                                "Domain/Coarse leaves=4, 2, 2",
                                "Domain/Upper corner=2, 1, 1",

@@ -16,7 +16,7 @@ using dealii::Point;
 
 namespace
 {
-/// Lines for TNT at x = 2.15 m beside a box 1.8 m high and 0.3 m deep.
+/// Lines for TNT at x = 2.15 m next to a box 1.8 m high and 0.3 m deep.
 std::vector<std::string> answer_for(const double mass,
                                     const bool has_usual_afterburn = true,
                                     const double height = 1.,

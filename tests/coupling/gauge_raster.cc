@@ -41,7 +41,7 @@ TEST(GaugeRaster, HasTheNearestPlace)
 {
   const auto gauges = all();
   EXPECT_EQ(gauges[0].nearest(Point<3>(5., 5., 5.)), gauges[0].begin);
-  // Of the line, not of its box.
+  // The nearest place is on the line, not in its box.
   EXPECT_LT(
     gauges[1].nearest(Point<3>(4., 0., 1.)).distance(Point<3>(2., 2., 1.)),
     1e-12);

@@ -94,7 +94,7 @@ TEST(Person, HasTheAzimuthOfTheChargeFromTheFrontToTheLeft)
 }
 
 
-// Beside face, breast or shins a charge is neither above nor below.
+// A charge level with face, breast or shins is neither above nor below.
 TEST(Person, HasTheChargeBesideAnyHeightOfTheBody)
 {
   const auto side = [](const Point<3> &charge) {

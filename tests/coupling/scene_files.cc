@@ -252,7 +252,7 @@ TEST(SceneFiles, FitElementsToTheBodyUnlessAnEntryGivesTheirSize)
 }
 
 
-// Of explosives without a measured equivalence too, by the ratio of energies.
+// Those without a measured equivalence, too, by the ratio of energies.
 TEST(SceneFiles, CompareEveryExplosiveWithTheTables)
 {
   SceneParameters scene = scene_with(2.337, 1.27);
@@ -300,7 +300,7 @@ TEST(SceneFiles, TakeTheTablesOfASurfaceBurstForAChargeOnTheGround)
 }
 
 
-// What is symmetric is computed on one side, and the loads are mirrored.
+// A symmetric scene is computed on one side, and the loads are mirrored.
 TEST(SceneFiles, LoadBothSidesOfASymmetricBody)
 {
   for (const double aside : {0., 0.3})

@@ -20,7 +20,7 @@ Assignment assign(const std::string &path, const std::string &origin)
   return assignment;
 }
 
-/// Of a blast whose user wrote its limiter and another charge.
+/// Words of a blast whose user wrote its limiter and another charge.
 SceneWords blast_words()
 {
   dealii::ParameterHandler prm;
@@ -67,7 +67,7 @@ TEST(SceneWords, OthersAreCalledByTheirPlaceInTheScene)
   EXPECT_EQ(words("Domain/Size: no"), "Blast/Domain/Size: no");
   EXPECT_EQ(words("Domain/Size limit"), "Blast/Domain/Size limit");
   EXPECT_EQ(words("Method/CFL number is 2"), "Blast/Method/CFL number is 2");
-  // What the user wrote wins over what the scene would choose.
+  // The user's entry wins over the scene's choice.
   EXPECT_EQ(words("a Method/Limiter"), "a Blast/Method/Limiter");
   EXPECT_EQ(words("Body/Shift moves it"), "Body/Shift moves it");
 }

@@ -45,7 +45,7 @@ SceneLayout box_layout(const SceneParameters &scene)
           RoundedBox(Point<3>(0., 0., 0.9), Point<3>(0.15, 0.25, 0.9), 0.05)};
 }
 
-/// What biomechanics leaves of a body of 2 kg without probes whose speed along
+/// Writes the results of a body of 2 kg without probes whose speed along
 /// x grows by 3 m/s in 10 ms.
 void write_biomechanics(const std::string &folder, const std::string &items)
 {
@@ -169,7 +169,7 @@ TEST(SceneAudit, JudgesStrainAndMotionOfAnyBody)
 }
 
 
-// The tables know the phase of 1 kg beside the box, of 1 mg they do not.
+// The tables have the phase of 1 kg next to the box, but not that of 1 mg.
 TEST(ScenePlan, KnowsCellsInAPositivePhaseOfTheTablesAlone)
 {
   SceneParameters scene = small_scene();
@@ -185,7 +185,7 @@ TEST(ScenePlan, KnowsCellsInAPositivePhaseOfTheTablesAlone)
 }
 
 
-// A plate of 1 m by 2 m and 0.2 m below, beside or behind the charge.
+// A plate of 1 m by 2 m and 0.2 m below, next to or behind the charge.
 TEST(ScenePlan, MovesABodyByTheAreaThatTheChargeSees)
 {
   SceneParameters scene = small_scene();

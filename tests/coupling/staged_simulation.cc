@@ -139,7 +139,7 @@ bool in_second_stage(Simulation &simulation)
 }
 
 
-/// Goes on until @p n steps after the hand-over; all totals stay, no column
+/// Continues until @p n steps after the hand-over; all totals stay, no column
 /// changes, and probes do not jump.
 template <int dim>
 void check_run(StagedSimulation<dim> &simulation, const unsigned int n)
@@ -327,7 +327,7 @@ TEST(StagedSimulation, HasAPlanAfterItsTotals)
 
 namespace
 {
-/// A line of gauges from beside a ball of hot products outwards.
+/// A line of gauges outwards from near a ball of hot products.
 Lines with_gauges()
 {
   return above_ground() + Lines{"Domain/Upper corner=0.72, 0.96",

@@ -88,8 +88,8 @@ void write_blast(const std::string &folder,
 }
 
 
-/// What is said of a blast that has @p fine times the values of the tables, and
-/// of whose coarser run that has @p coarse times them.
+/// Warning for a blast that has @p fine times the values of the tables, and
+/// whose coarser run has @p coarse times them.
 std::string warning_for(const SceneParameters &scene,
                         const double fine,
                         const double coarse,
@@ -124,12 +124,12 @@ TEST(TableComparison, WarnsOfDifferencesBeyondTheErrorsOfBoth)
   EXPECT_NE(warning.find("; death by lung injury in the open 25 % against "),
             std::string::npos)
     << warning;
-  // What is lower because the run has ended does not differ.
+  // A value that is lower because the run has ended does not differ.
   const std::string cut = warning_for(tnt, 0.6, 0.59, true);
   EXPECT_NE(cut.find("incident peak "), std::string::npos) << cut;
   for (const char *part : {"; impulse ", "; duration ", "lung injury"})
     EXPECT_EQ(cut.find(part), std::string::npos) << cut;
-  // What is larger all the same is told as the lower limit that it is.
+  // One that is larger all the same is told as the lower limit that it is.
   const std::string above = warning_for(tnt, 3., 2.9, true);
   EXPECT_NE(above.find("; impulse at least "), std::string::npos) << above;
   EXPECT_EQ(warning_for(tnt, 3., 2.9).find("at least"), std::string::npos);
@@ -177,7 +177,7 @@ TEST(TableComparison, HasErrorsOfAtLeastTwoPerCentAndThoseOfThePeak)
   EXPECT_TRUE(std::isnan(errors(false).at("peak_overpressure")));
   EXPECT_EQ(errors().at("impulse"), 0.02);
   EXPECT_TRUE(std::isnan(errors().at("lung_lethality")));
-  // Of the coarser run the peak alone is another one.
+  // The coarser run differs in the peak alone.
   std::filesystem::copy(folder.path() + "/blast/probe_injury.csv",
                         folder.path() + "/probe_injury.csv");
   write_blast(folder.path() + "/coarser_blast", *tables, 0.8);
@@ -188,7 +188,7 @@ TEST(TableComparison, HasErrorsOfAtLeastTwoPerCentAndThoseOfThePeak)
 }
 
 
-// As beside the products of an explosive: the error of the load is then at
+// As next to the products of an explosive: the error of the load is then at
 // least that of the peak, and no error is invented.
 TEST(TableComparison, DoesNotExceedErrorsThatAreUnknown)
 {
@@ -213,7 +213,7 @@ TEST(TableComparison, DoesNotExceedErrorsThatAreUnknown)
 }
 
 
-// Of probabilities, what reads the same is the same.
+// Probabilities that read the same are the same.
 TEST(TableComparison, DoesNotTellProbabilitiesApartThatReadTheSame)
 {
   const SceneParameters tnt = scene_of("tnt", 3.);
@@ -242,7 +242,7 @@ TEST(TableComparison, DoesNotTellProbabilitiesApartThatReadTheSame)
 }
 
 
-// Beside a high charge the front comes alone; of a low one it has merged with
+// The front of a high charge comes alone; that of a low one has merged with
 // its reflection, which raises the peak. Reflections that follow raise impulses
 // in any case.
 TEST(TableComparison, LeavesToTheGroundWhatItMayAdd)
@@ -352,7 +352,7 @@ TEST(TableComparison, IsOfTheFirstPeak)
   EXPECT_FALSE(low.at("eardrum_rupture").differs);
   EXPECT_FALSE(compare(3., 0.75, 1.6, "0.999").at("eardrum_rupture").differs);
   EXPECT_TRUE(compare(3., 0.6, 1.1, "0.1").at("eardrum_rupture").differs);
-  // What follows the incident wave has not merged with it.
+  // A wave that follows the incident one has not merged with it.
   for (const double of_later_peak : {1., 1.3})
     EXPECT_EQ(
       compare(0.5, 1.4, of_later_peak, "0.9").at("peak_overpressure").differs,

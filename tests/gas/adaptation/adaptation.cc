@@ -158,7 +158,7 @@ TEST(Adaptation, BuffersWidenTheRefinedBand)
       run.adapt();
     }
     n_leaves.push_back(run.mesh.n_global());
-    // As many whole leaves of the finest level lie beside the front's.
+    // As many whole leaves of the finest level lie next to the front's.
     const double h = 1. / 32.;
     EXPECT_EQ(level_at<2>(run, {0.5 + h * (0.5 + std::stoi(buffer)), 0.3}), 4);
   }

@@ -333,7 +333,7 @@ TEST(SizeLimits, HoldAroundSeveralPoints)
   EXPECT_EQ(most(0.8, 0.55), 6u);
   EXPECT_EQ(most(0.2, 0.5), 3u);
   EXPECT_EQ(most(0.8, 0.2), 3u);
-  // A coarse leaf beside a ball may be halved until its parts are outside.
+  // A coarse leaf next to a ball may be halved until its parts are outside.
   const auto allowed = [&](const double corner_distance) {
     return run.adaptation_parameters.limits
       .levels(Point<2>(0.4, 0.4), 0., {1, 6}, corner_distance)

@@ -35,7 +35,7 @@ TEST(LeafOrigins, LeavesThatStayKeepTheirOrder)
 }
 
 
-// A refined leaf beside merged ones: as many leaves of the same levels, at
+// A refined leaf next to merged ones: as many leaves of the same levels, at
 // other places.
 TEST(LeafOrigins, RefinedAndMergedLeavesAreToldApart)
 {

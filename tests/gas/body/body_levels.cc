@@ -292,8 +292,8 @@ TEST(BodyLevels, PocketsDoNotDependOnFormerMeshesNorRanks)
   GasRun<3> alone(person(), MPI_COMM_SELF);
   for (unsigned int change = 0; change < 3; ++change)
   {
-    // Smaller leaves beside the body move the border between two ranks through
-    // the gap between the thighs.
+    // Smaller leaves next to the body move the border between two ranks
+    // through the gap between the thighs.
     const std::array<unsigned int, 4> n_rows = {{0, 0, 22, 24}};
     for (auto *each : {&run, &alone})
       for (unsigned int row = n_rows[change]; row < n_rows[change + 1]; ++row)

@@ -25,8 +25,7 @@ Tensor<1, 3> area_of(const std::vector<Point<3>> &outline)
 }
 
 
-/// What the openings of the faces leave of the wall's area vector, into the
-/// gas.
+/// Area vector of the wall, into the gas, from the openings of the faces.
 Tensor<1, 3> wall_of(const std::array<double, 8> &values)
 {
   Tensor<1, 3> wall;

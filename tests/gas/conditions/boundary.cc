@@ -145,7 +145,7 @@ TEST(Boundary, ClosedMeansWallsAndPeriodicSides)
   EXPECT_FALSE(inflow.boundary.is_closed(inflow.coarse_mesh));
   const GasRun<2> initial({"Boundaries/x low=initial"});
   EXPECT_FALSE(initial.boundary.is_closed(initial.coarse_mesh));
-  // What a periodic side is called does not matter.
+  // The kind of a periodic side does not matter.
   const GasRun<2> periodic(
     {"Boundaries/y high=open", "Domain/Periodic directions=y"});
   EXPECT_TRUE(periodic.boundary.is_closed(periodic.coarse_mesh));

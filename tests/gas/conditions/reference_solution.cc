@@ -241,7 +241,7 @@ TEST(ReferenceSolution, KingeryBulmashGivesWhatItsTablesHold)
 
   // No figures so near to the charge.
   EXPECT_EQ(scene.reference.arrival(Point<3>(0., 0.04, 3.)).peak, 0.);
-  // Of the coordinates as many as there are.
+  // Only the coordinates of the dimension count.
   EXPECT_NEAR(
     Scene<1>({charge[0], charge[1]}).reference.arrival(Point<1>(1.)).peak,
     830.9e3,
@@ -304,7 +304,7 @@ TEST(ReferenceSolution, KingeryBulmashKnowsTheExplosive)
                       "Material/Explosive=composition b"})
               .reference.description(),
             "kingery bulmash, as 1.15 times its mass of TNT");
-  // Of the user's own, by the ratio of energies.
+  // A user's own explosive goes by the ratio of energies.
   EXPECT_GT(std::get<0>(
               arrival_of({mixture,
                           "Material/Explosive=custom",

@@ -172,7 +172,7 @@ TEST(ExposureRecord, LastsLongerAmongProducts)
   const auto [least, largest] = durations(1.);
   EXPECT_NEAR(least, 24e-5, 1e-12);
   EXPECT_EQ(largest, least);
-  // Of a mixture with air, whose part of products is numerical, both are known.
+  // In a mixture with air, whose part of products is numerical, both are known.
   for (const double trace : {2e-4, 0.5})
     EXPECT_EQ(durations(trace), std::pair(4e-5, largest));
 }

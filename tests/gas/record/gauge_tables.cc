@@ -203,7 +203,7 @@ TEST(GaugeTables, TakeTheMeanOverTheTrunk)
 }
 
 
-// Of a person who turns a side to the charge.
+// A person turns a side to the charge.
 TEST(GaugeTables, HaveTheLoadOfTheLungsOnAllSides)
 {
   std::vector<double> times;
@@ -370,7 +370,7 @@ TEST(GaugeTables, TellWhatAWaveDoesToAPersonInTheAir)
 }
 
 
-// Diffusion decides how much of the products a place beside them gets: verdicts
+// Diffusion decides how much of the products a place near them gets: verdicts
 // stand where they do not depend on it.
 TEST(GaugeTables, KnowLungsBesideProductsWhereTheirDurationDecidesNothing)
 {

@@ -149,7 +149,7 @@ TEST(LoadGauges, BelongToTheHalfWhosePlaneTheyLieOn)
 }
 
 
-// The chest of a scanned person is some millimetres beside the plane.
+// The chest of a scanned person is some millimetres off the plane.
 TEST(LoadGauges, KeepTheMiddleOfAPersonWhoIsNotQuiteSymmetric)
 {
   const auto has = [](const std::string &shift, const std::string &name) {
@@ -228,8 +228,9 @@ TEST(LoadGauges, TellWhatTheBlastDidAndGoOnFromACheckpoint)
 }
 
 
-// What the Friedlander wave of 200 kPa and 5 ms does to a chest of 70 kg and an
-// ear was found independently; a run that was stopped has the whole history.
+// Effects of the Friedlander wave of 200 kPa and 5 ms on a chest of 70 kg and
+// on an ear were found independently; a run that was stopped has the whole
+// history.
 TEST(LoadGauges, WriteWhatTheLoadsWouldDoToAPerson)
 {
   const std::vector<std::string> lines = {
@@ -290,7 +291,7 @@ TEST(LoadGauges, WriteWhatTheLoadsWouldDoToAPerson)
 }
 
 
-// Of a positive phase of 5 ms, impulse and duration are lower limits when the
+// Impulse and duration of a positive phase of 5 ms are lower limits when the
 // run ends after 2 ms.
 TEST(LoadGauges, TellAPositivePhaseThatTheEndOfTheRunCutsOff)
 {
@@ -353,8 +354,7 @@ TEST(LoadGauges, TellGapsOfTheirRecord)
 }
 
 
-// Of a place that no blast has reached nothing is a number, wherever it is
-// told.
+// A place that no blast has reached has no number, wherever it is told.
 TEST(LoadGauges, MeasureNothingWhereNoBlastHasArrived)
 {
   LoadGauges gauges = make_gauges(
@@ -401,7 +401,7 @@ TEST(LoadGauges, TextThatNamesNoPlaceIsRefused)
 }
 
 
-// Of facets on one side of the plate only, in cells of 20 mm.
+// Cells are of 20 mm; one side of the plate may lose its facets.
 TEST(LoadGauges, WarnOfPlacesWithoutSkinAndOfSharedFacets)
 {
   for (const std::string radius : {"0.001", "0.05"})

@@ -241,7 +241,7 @@ TEST(ProbeRasters, InjuriesAreThoseOfTheHistory)
 
 
 // A run that ends while the chest wall gets faster has a lower limit of its
-// velocity, and says where the blast goes on.
+// velocity, and says where the blast continues.
 TEST(ProbeRasters, MarkVelocitiesThatTheEndCutsOff)
 {
   for (const unsigned int n_steps : {20U, 800U})
@@ -274,7 +274,7 @@ TEST(ProbeRasters, MarkVelocitiesThatTheEndCutsOff)
 }
 
 
-// What a first stage recorded says nothing of the motion of a chest.
+// The record of a first stage says nothing of the motion of a chest.
 TEST(ProbeRasters, ChestsAreUnknownWhereAnEarlierStageHadTheBlast)
 {
   Rasters<2> scene({"Probes/Lines=0.1,0.5 : 0.9,0.5 : 2", "Probes/Injury=true"},
@@ -355,7 +355,7 @@ TEST(ProbeRasters, RanksAndCheckpointsDoNotChangeABit)
   const std::string middle = together->saved();
   EXPECT_EQ(alone->saved(), middle);
 
-  // Records that were saved and loaded go on alike.
+  // Records that were saved and loaded continue alike.
   go(*alone, 12);
   Rasters<2> fresh(lines);
   std::istringstream stream(middle);

@@ -55,7 +55,7 @@ ProbeSet<2> record(const GasRun<2> &run,
 } // namespace
 
 
-// Of two probes beside 0.85 kg of TNT the blast has reached the nearer one. A
+// The blast of 0.85 kg of TNT has reached the nearer one of two probes. A
 // cell that is wider than usual moves no column.
 TEST(ProbeSet, TellsWhereNoBlastHasArrived)
 {

@@ -105,7 +105,7 @@ TEST(ModellingPlan, LeavesTheEstimateWhereTheMeasuredReturnIsLater)
 
 // A wall close to the charge makes one wave with it; one through its centre is
 // in the energy. That by a wall farther away merges with the front where the
-// way is long beside the distances of charge and gauge from it.
+// way is long against the distances of charge and gauge from it.
 TEST(ModellingPlan, KnowsWhatWallsAdd)
 {
   ModellingPlan<2> plan = quarter();
@@ -127,7 +127,7 @@ TEST(ModellingPlan, KnowsWhatWallsAdd)
   }
 }
 
-// The way by the side opposite to the ground begins beside the ground.
+// The way by the side opposite to the ground begins next to the ground.
 TEST(ModellingPlan, FollowsTheReflectionByTheGroundUpwards)
 {
   ModellingPlan<2> plan = quarter();
@@ -138,8 +138,8 @@ TEST(ModellingPlan, FollowsTheReflectionByTheGroundUpwards)
   EXPECT_DOUBLE_EQ(value_of(plan.plan(), "reflection"), arrival(8.5));
 }
 
-// What would come back after the stop is neither measured nor judged, whether
-// the front is on its way to the side or from there; what has come back is.
+// Waves due back after the stop are neither measured nor judged, whether the
+// front is on its way to the side or from there; one that is back is.
 TEST(ModellingPlan, JudgesOfAStoppedRunOnlyWhatItHasSeen)
 {
   const ModellingPlan<2> plan = quarter();
@@ -260,7 +260,7 @@ TEST(ModellingPlan, AsksForAnEquationOfStateOfProducts)
   measured.smallest_subcell = 0.01;
   measured.side_arrivals.fill(OpenSides<2>::never);
   measured.non_ideal_fraction = 0.25;
-  // What came with a first stage is not in the plan of the second.
+  // Gas from a first stage is not in the plan of the second.
   EXPECT_EQ(value_of(plan.audit(measured), "equation_of_state"), 0.25);
   plan.non_ideal_fraction = 0.75;
   EXPECT_EQ(value_of(plan.plan(), "equation_of_state"), 0.75);

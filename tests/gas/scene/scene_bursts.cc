@@ -74,7 +74,7 @@ TEST(SceneBursts, WarnsOfAMirroredCharge)
   EXPECT_FALSE(box.scene.reference.has_arrivals());
 }
 
-// Beside a wall a charge is alone: what comes back is its reflection.
+// A charge next to a wall is alone: the wave that returns is its reflection.
 TEST(SceneBursts, TakesAWallForAWall)
 {
   const HalfBox box(charge_at("0, 0.5, 1"), {"Boundaries/y low=wall"});

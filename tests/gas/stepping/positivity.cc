@@ -305,7 +305,7 @@ TEST(Retries, AllFailingLeaveTheStateUntouched)
       EXPECT_LT(*result.unphysical_leaf, run.mesh.n_owned());
     }
     EXPECT_EQ(run.leaves(), before);
-    // The run can go on from there.
+    // The run can continue from there.
     EXPECT_FALSE(run.step().failed);
   }
 }

@@ -34,7 +34,7 @@ std::vector<Lines> schemes()
 }
 
 
-/// A ball of high pressure beside the middle, with hanging faces around it.
+/// A ball of high pressure off the middle, with hanging faces around it.
 std::unique_ptr<GasRun<3>>
 make_run(const Lines &lines, const MPI_Comm communicator = MPI_COMM_WORLD)
 {
