@@ -57,7 +57,7 @@ public:
        0.});
   }
 
-  /// Goes on to a part of the period.
+  /// Continues to a part of the period.
   void run(const double part)
   {
     bar_->run(part * 2. * half_turn / std::sqrt(2.2 * (k * k + l * l)));

@@ -71,7 +71,7 @@ protected:
     return description;
   }
 
-  /// What is said of a file that is refused.
+  /// Message with which the file is refused.
   std::string refusal()
   {
     try

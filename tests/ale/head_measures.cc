@@ -172,7 +172,7 @@ TEST(HeadMeasures, AreThoseOfABodyThatTurns)
   EXPECT_NEAR(found.at("injury_hic15"), expected, 2e-3 * expected);
 }
 
-// Of 40 ms of 100 g the criterion counts 15, of what does not turn.
+// The criterion counts 15 of the 40 ms of 100 g; the head does not turn.
 TEST(HeadMeasures, AreThoseOfABodyThatIsStopped)
 {
   MovedHead head;
@@ -210,7 +210,7 @@ TEST(HeadMeasures, AverageThePressuresOfNeighbours)
       found.at("injury_cavitating_fraction"), averaged ? 0.125 : 0.5, 1e-12);
     EXPECT_NEAR(
       found.at("injury_cavitation_dose"), averaged ? 0.125e-3 : 0.5e-3, 1e-14);
-    // Of the ends half is left, of six other layers nothing.
+    // Averages keep half the pressure at both ends, none in six other layers.
     EXPECT_NEAR(found.at("injury_pressure_roughness"), std::sqrt(13.), 1e-6);
   }
 }
@@ -267,7 +267,7 @@ TEST(HeadMeasures, OfABrainAloneAreThoseOfItsMotion)
   EXPECT_NEAR(head.found().at("injury_hic15"), 1e-3 * std::pow(100., 2.5), 0.1);
 }
 
-// Of a head that is stretched, and pressed together along x later.
+// The head is stretched, and later compressed along x.
 TEST(HeadMeasures, AreLowerLimitsOfARunThatEndsEarly)
 {
   const std::vector<ContactPlane> planes(
@@ -307,7 +307,7 @@ TEST(HeadMeasures, AreLowerLimitsOfARunThatEndsEarly)
   EXPECT_EQ(marks({true, false}), "11111011");
 }
 
-// What was found for blunt impacts holds for them.
+// Thresholds found for blunt impacts apply to them.
 TEST(HeadMeasures, HaveNoLimitsOfABlast)
 {
   MovedHead head(8, {});

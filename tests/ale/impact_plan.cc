@@ -17,7 +17,7 @@ using namespace contrecoup::ale;
 
 namespace
 {
-/// What is planned for a head of 80, 4 and 7 mm against a wall at 3 m/s, 5 ms.
+/// Plan for a head of 80, 4 and 7 mm against a wall at 3 m/s, 5 ms.
 std::map<std::string, Assumption>
 plan_of(const std::vector<std::string> &overrides,
         const bool is_checked = false)
@@ -147,11 +147,11 @@ TEST(ImpactPlan, knows_which_planes_of_symmetry_would_do)
   EXPECT_EQ(thin.at("symmetry").decision, "a wedge about z is computed");
   EXPECT_EQ(value_of(thin, "asymmetry"), 0.);
   EXPECT_EQ(thin.count("unused_symmetry"), 0u);
-  // What is not round needs a quarter.
+  // A body that is not round needs a quarter.
   EXPECT_EQ(
     value_of(plan_of({"Mesh/Semi-axes=0.08, 0.07, 0.08"}), "unused_symmetry"),
     0.75);
-  // What is not symmetric to x.
+  // Cases that are not symmetric in x need a half.
   for (const char *const text : {"Plane wall/Normal=1, 0, 1",
                                  "Region CSF/Velocity x=1",
                                  "Body force/x=t"})
@@ -161,7 +161,7 @@ TEST(ImpactPlan, knows_which_planes_of_symmetry_would_do)
          {"Mesh/Symmetry planes=x, y", "Mesh/Wedge axis=z"})
       EXPECT_TRUE(plan_of({text, part}).at("asymmetry").fails()) << text;
   }
-  // What may be anything.
+  // A function of the place may have any symmetry or none.
   EXPECT_EQ(plan_of({"Region CSF/Velocity x=y"}).count("unused_symmetry"), 0u);
 }
 

@@ -38,7 +38,7 @@ Region liquid()
 }
 
 /// Compressed liquid in the left half of a closed box of 2 cm, at rest, and two
-/// solids beside each other in the right half.
+/// solids next to each other in the right half.
 struct LiquidOnSolid
 {
   /// @param ratios of added mass at nodes of the one and the other solid

@@ -131,7 +131,7 @@ TEST(Remap, keeps_velocities_over_ten_thousand_cycles_at_rest)
     EXPECT_NEAR(slab.state.energy[c], before.energy[c], 1e-12 * energy);
 }
 
-// What velocities lose where they are mixed depends on their differences alone.
+// The kinetic energy lost in mixing depends on velocity differences alone.
 TEST(Remap, heats_alike_in_every_moving_frame)
 {
   std::vector<std::vector<double>> energies;

@@ -162,7 +162,7 @@ TEST(Rezone, IsLeftOutWhereNoMotionGivesValidCells)
   state.time = 0.1;
   for (std::size_t n = 0; n < box.slab.space.n_nodes(); ++n)
   {
-    // The corner of the box goes into it, beyond the nodes beside.
+    // The corner of the box moves into it, beyond the adjacent nodes.
     double *x = &state.position[stride * n];
     if (std::abs(x[0]) + std::abs(x[1]) + std::abs(x[2]) < 1e-9)
       x[0] = 0.9;

@@ -114,7 +114,7 @@ TEST(Slip, HasNodesOfBothSidesAtTheInterfaceAlone)
                   sliding.space.region(c) == 1);
 }
 
-// A fluid that slides over a solid at rest goes on as it was.
+// A fluid that slides over a solid at rest keeps its velocity.
 TEST(Slip, MeetsNoFriction)
 {
   constexpr double speed = 3.;

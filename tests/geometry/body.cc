@@ -68,7 +68,7 @@ TEST(Body, CubesMakeTheVolumeOfABall)
   const ShapeBody body(ball, {{{"ball", Tissue::water}, ball}});
   LabelGrid grid = make_grid(ball->bounding_box(), 0.02);
   body.fill(grid);
-  // What a lattice counts in a ball is off by less than (h / R)^1.5.
+  // The lattice count of a ball's volume is off by less than (h / R)^1.5.
   EXPECT_NEAR(volume_of(grid, 0) / (4. / 3. * M_PI * 0.125), 1., 8e-3);
 }
 
@@ -142,7 +142,7 @@ TEST(LabelGrid, PiecesAreConnectedThroughFaces)
   EXPECT_EQ(ring[0], 1u);
   EXPECT_EQ(ring[1], 1u);
   EXPECT_EQ(ring[LabelGrid::outside], 1u);
-  // Cubes that touch at edges only, beside two on top of each other.
+  // Cubes that touch at edges only, next to two on top of each other.
   const auto diagonal = count_pieces("0.. .0. ..2  .0. ... ..2");
   EXPECT_EQ(diagonal[0], 3u);
   EXPECT_EQ(diagonal[2], 1u);

@@ -191,7 +191,7 @@ TEST(BodyLayer, KnowsLayersOfEachKindOfBody)
 }
 
 
-// Of the first part nine voxels have rows of 2 mm, two of 4 mm; the third has
+// In the first part nine voxels have rows of 2 mm, two of 4 mm; the third has
 // no voxel.
 TEST(PartThickness, IsThatOfMostVoxels)
 {

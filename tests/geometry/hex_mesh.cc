@@ -107,7 +107,7 @@ TEST(HexMesh, CellsAndFacetsOfABall)
   const HexQuality all = quality[0] + quality[1];
   EXPECT_EQ(all.n_cells, mesh.cells.size());
   EXPECT_NEAR(all.volume, 1e-3 * mesh.cells.size(), 1e-9);
-  // What a lattice counts in a ball is off by less than (h / R)^1.5.
+  // The lattice count of a ball's volume is off by less than (h / R)^1.5.
   EXPECT_NEAR(all.volume / (4. / 3. * M_PI), 1., 0.031);
   EXPECT_NEAR(quality[0].volume / (M_PI / 6.), 1., 0.089);
   EXPECT_NEAR(all.shortest_edge, 0.1, 1e-12);

@@ -269,7 +269,7 @@ ShapePointer with_neck(const double radius)
 }
 
 
-/// The donor's trunk and head on a seat 0.4 m high, beside which the hands
+/// The donor's trunk and head on a seat 0.4 m high, next to which the hands
 /// hang, thighs along x at a height, and the donor's lower legs before it.
 ShapePointer seated_man(const double thigh)
 {
@@ -350,7 +350,7 @@ TEST(InsertedOrgans, BendTheLegsOfWhoSits)
     ASSERT_TRUE(regions.thigh_height);
     EXPECT_NEAR(*regions.thigh_height, thigh, 0.03);
     EXPECT_NEAR(regions.stature(), 1.756, 0.1);
-    // Neither hands beside the shins nor what is under the trunk are legs.
+    // Neither hands next to the shins nor parts under the trunk are legs.
     const LabelGrid &grid = regions.grid;
     for (std::size_t v = 0; v < grid.labels.size(); ++v)
       if (regions.is(v, Region::left_leg) || regions.is(v, Region::right_leg))

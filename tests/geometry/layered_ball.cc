@@ -80,7 +80,7 @@ TEST(LayeredBall, fills_its_ellipsoids_with_good_cells)
     const double exact = volume(fine_head.semi_axes[i]) -
                          (i == 0 ? 0. : volume(fine_head.semi_axes[i - 1]));
     EXPECT_NEAR(finer.volumes[i], exact, 8e-3 * exact) << i;
-    // Of second order.
+    // The error is of second order.
     EXPECT_NEAR(
       (exact - found.volumes[i]) / (exact - finer.volumes[i]), 4., 0.4)
       << i;

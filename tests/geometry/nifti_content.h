@@ -10,7 +10,7 @@
 
 namespace contrecoup
 {
-/// What says where voxels are in space.
+/// Form in which a file states where its voxels are in space.
 enum class Form
 {
   matrix,

@@ -21,7 +21,7 @@ using dealii::Point;
 
 namespace
 {
-// Two cubes of 10 mm beside each other along x, in mm, of the groups 1 and 2.
+// Two cubes of 10 mm next to each other along x, in mm, of the groups 1 and 2.
 constexpr unsigned int n_nodes = 12;
 constexpr unsigned int cubes[2][8] = {{1, 2, 5, 4, 7, 8, 11, 10},
                                       {2, 3, 6, 5, 8, 9, 12, 11}};
@@ -344,7 +344,7 @@ TEST_F(OwnMesh, CoincidentNodesAreMerged)
 }
 
 
-// One large cube beside four small ones.
+// One large cube next to four small ones.
 TEST_F(OwnMesh, HangingNodesAreRefused)
 {
   std::ostringstream text;

@@ -168,7 +168,7 @@ TEST(Phantom, LandmarksAreOnTheSkinWhereTheirNamesSay)
     const auto across = places.at("left temple") - places.at("right temple");
     EXPECT_NEAR(across.norm() / man.head, 0.135, 0.003);
     EXPECT_GT(across[1 - man.forward] * (man.forward == 0 ? 1. : -1.), 0.);
-    // The arms hang beside the trunk, as high as the chest.
+    // The arms hang next to the trunk, as high as the chest.
     const auto wide =
       places.at("left upper arm") - places.at("right upper arm");
     EXPECT_GT(wide * across, 0.99 * wide.norm() * across.norm());

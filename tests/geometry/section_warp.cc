@@ -101,7 +101,7 @@ TEST(WarpedShape, HasTheVolumeAndNoLargerSlopeThanOne)
 
 TEST(OrganFit, MovesBonesIntoALimb)
 {
-  // A bone beside the middle of its limb, and one as thick as that.
+  // A bone off the middle of its limb, and one as thick as that.
   const Cylinder limb({0.02, 0., -0.2}, {0.02, 0., 0.8}, 0.03);
   constexpr double depth = 0.001;
   for (const double radius : {0.015, 0.035})
@@ -122,7 +122,7 @@ TEST(OrganFit, MovesBonesIntoALimb)
       EXPECT_GT(pair.new_center[0], 0.005);
       EXPECT_GT(pair.ratio[0], radius < 0.03 ? 0.9 : 0.6);
     }
-    // What is deep enough stays as it is.
+    // A bone that is deep enough stays as it is.
     const SectionWarp again = with_limb_inside(after, limb, bone, depth);
     for (unsigned int i = 0; i < 7; ++i)
       EXPECT_EQ(again.pairs()[i].ratio[0], after.pairs()[i].ratio[0]);

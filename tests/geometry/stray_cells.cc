@@ -37,11 +37,11 @@ TEST(StrayCells, JoinThePartOfMostOfTheirFaces)
                       const unsigned int k) -> unsigned char & {
     return grid.labels[grid.index(i, j, k)];
   };
-  // Beside others of the brain at an edge only.
+  // A cell that touches others of the brain at an edge only.
   at(2, 2, 2) = 1;
   at(3, 3, 2) = 1;
   at(3, 3, 3) = 2;
-  // Between four faces of fluid and two of bone.
+  // A cell between four faces of fluid and two of bone.
   for (const auto &[i, j] : {std::array<int, 2>{{4, 5}},
                              std::array<int, 2>{{6, 5}},
                              std::array<int, 2>{{5, 4}},
@@ -50,7 +50,7 @@ TEST(StrayCells, JoinThePartOfMostOfTheirFaces)
   at(5, 5, 3) = 1;
   // A layer that the mesh does not resolve.
   at(2, 6, 6) = 3;
-  // Without neighbours.
+  // A cell without neighbours.
   at(0, 0, 0) = 4;
   const LabelGrid before = grid;
   const auto lines = join_strays(parts, grid);
@@ -67,8 +67,7 @@ TEST(StrayCells, JoinThePartOfMostOfTheirFaces)
   EXPECT_TRUE(join_strays(parts, grid).empty());
 }
 
-// Of two strays beside each other, the second has company once the first has
-// joined it.
+// The second of two adjacent strays has company once the first has joined it.
 TEST(StrayCells, DoNotChangePlaces)
 {
   LabelGrid grid = block();

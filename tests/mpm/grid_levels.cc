@@ -92,7 +92,7 @@ double sum_of(const dealii::AlignedVector<double> &values)
   return sum;
 }
 
-/// What stresses, forces and moments do at a particle, per time.
+/// Power of stresses and moments at a particle.
 double power(const ParticleBlock &block, const std::size_t p)
 {
   constexpr unsigned int entry[3][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}};
@@ -350,7 +350,7 @@ TEST(GridLevels, smoothing_keeps_sums_and_constants)
 
 namespace
 {
-/// What a pulse does that runs along a bar over the border of levels.
+/// Passage of a pulse along a bar over the border of levels.
 struct Passage
 {
   double speed;     ///< of the middle of its energy, over that of theory
@@ -390,7 +390,7 @@ Passage passing_pulse(const unsigned int degree,
       block[column::gradient][p] = -block[column::velocity][p];
   });
   one.step.start(one.grid, one.particles);
-  // Of what runs on: energy and its moment; energy that runs back.
+  // Energy that runs on, its moment, and energy that runs back.
   const auto sums = [&]() {
     std::array<double, 3> result{};
     one.particles.for_each_block([&](unsigned int, const ParticleBlock &block) {

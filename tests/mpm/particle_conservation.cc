@@ -251,8 +251,8 @@ ParticleCase held_case(const TransferScheme &scheme, const bool is_half)
 }
 } // namespace
 
-// What is held goes by the nodes of a body twice as long whose other half goes
-// the other way: of velocities and their gradients, in each direction.
+// A held body moves as half of one twice as long whose other half moves the
+// other way: its velocities and their gradients agree, in each direction.
 TEST(ParticleConservation, sides_that_hold_are_odd_mirrors)
 {
   for (unsigned int degree = 1; degree <= 3; ++degree)

@@ -37,7 +37,7 @@ ParticleCase lone_particle(const TransferScheme &scheme,
   return one;
 }
 
-/// What a gel does in a box of mirrors.
+/// Motion of a gel in a box of mirrors.
 struct Swing
 {
   double frequency; ///< of its first quarter, over that of shear alone
@@ -95,7 +95,7 @@ Swing swing_of_gel(const TransferScheme &scheme,
           one.residual(totals) / totals.kinetic_energy};
 }
 
-/// What a disk gave to another, over what it had along the normal.
+/// Motion that a disk gave to another, over its own along the normal.
 struct Meeting
 {
   double along;    ///< the normal

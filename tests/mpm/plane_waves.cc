@@ -12,7 +12,7 @@ using namespace contrecoup::mpm;
 
 namespace
 {
-/// What standing waves of water in a box of mirrors do in some periods.
+/// Standing waves of water in a box of mirrors after some periods.
 struct Wave
 {
   double speed;  ///< over that of sound

@@ -12,7 +12,7 @@ using namespace contrecoup::mpm;
 
 namespace
 {
-/// What resampling has to keep: mass, volume, momentum, angular momentum, and
+/// Sums that resampling keeps: mass, volume, momentum, angular momentum, and
 /// kinetic and internal energy together.
 std::array<double, 9> conserved_sums(const ParticleBlock &particles)
 {

@@ -94,7 +94,7 @@ std::vector<Node> nodes_of(const unsigned int degree,
   return nodes;
 }
 
-/// What particles resist strains with, times volume; moments from outside help.
+/// Volume times the stress that resists strains, less moments from outside.
 double stress(const ParticleBlock &block,
               const std::size_t p,
               const unsigned int d,
@@ -278,7 +278,7 @@ TEST(TransferKernels, particles_on_sides_belong_to_the_cells_above)
                   1e-14);
 }
 
-// What stresses do on the nodes is what they do in the particles, and forces
+// Stresses do the same work on the nodes as in the particles, and forces
 // from outside work on the nodes as on the particles.
 TEST(TransferKernels, deposit_and_collect_are_adjoint)
 {

@@ -62,7 +62,7 @@ TEST(BrainMeasures, AreLowerLimitsOfPressuresThatAreAtTheEnd)
          // The second rises and falls without being the extreme of all.
          {{4e4, -3e4, 0.}, {0., 2e4, 3e4}, "0000"},
          {{4e4, -3e4, 0.}, {0., 0., -2e4}, "0000"},
-         // Tension that is less than before goes on.
+         // Tension that is less than before continues.
          {{0., -3e5, 0.}, {0., 0., -2e5}, "0001"},
          {{0., -3e5, -2e5}, {0., 0., 0.}, "0011"},
          // All of the brain cannot become more.
@@ -131,7 +131,7 @@ TEST(BrainMeasures, AreLowerLimitsWhileTheHeadIsPushed)
 }
 
 
-// What round-off leaves of a symmetric fall grows, too, and means nothing.
+// Rotation by round-off in a symmetric fall grows, too, and means nothing.
 TEST(BrainMeasures, AreNoLowerLimitsOfTurnsByRoundOff)
 {
   for (const double turn : {1e-7, 1.})

@@ -137,7 +137,7 @@ TEST(InjuryReport, FollowsPressuresInTheBrain)
 }
 
 
-// Of 40 ms of 100 g the criterion counts 15: 0.015 * 100^2.5.
+// The criterion counts 15 of the 40 ms of 100 g: 0.015 * 100^2.5.
 TEST(InjuryReport, FollowsTheMotionOfTheHead)
 {
   Head moved, turned;
@@ -163,7 +163,7 @@ TEST(InjuryReport, FollowsTheMotionOfTheHead)
 }
 
 
-// Of a head that supports hold, the motion is no answer to the load alone.
+// The motion of a head that supports hold is no answer to the load alone.
 TEST(InjuryReport, RemarksOnTheMotionOfAHeldHead)
 {
   dealii::ParameterHandler prm;
@@ -182,7 +182,7 @@ TEST(InjuryReport, RemarksOnTheMotionOfAHeldHead)
       if (measure.limits.find("in a body that Supports hold") !=
           std::string::npos)
         ++n_remarks;
-    // Of HIC and BrIC.
+    // The remarks are on HIC and BrIC.
     EXPECT_EQ(n_remarks, is_held ? 2u : 0u);
   }
 }
@@ -221,7 +221,7 @@ TEST(InjuryReport, HasLowerLimitsOfShortRunsUnderLoadsAlone)
 }
 
 
-// What is faster than a head's channel lets through does not count, slow motion
+// Motion faster than a head's channel lets through does not count, slow motion
 // does.
 TEST(HeadMotion, IsFiltered)
 {

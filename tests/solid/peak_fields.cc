@@ -30,7 +30,7 @@ TEST(PeakFields, AreLowerLimitsWhereTheLastOnesAreTheLargest)
     for (std::size_t i = 0; i < body.mesh().nodes.size(); ++i)
     {
       body.nodes().displacement_of(i)[0] = strain * body.mesh().nodes[i][0];
-      // What moves is active.
+      // Elements whose nodes move are active.
       body.nodes().velocity_of(i)[0] = 1.;
     }
     body.start(time += 1e-6);

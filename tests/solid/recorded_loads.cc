@@ -168,7 +168,7 @@ TEST(RecordedLoads, OfFacetsAsNearTheFirstThatFacesCounts)
 }
 
 
-// Of equal pushes from both sides nothing or little is left, which compares
+// Equal pushes from both sides leave nothing or little, which compares
 // with nothing; their magnitudes do, by which half of a side is warned of.
 TEST(RecordedLoads, PushesThatCancelAreComparedByTheirMagnitudes)
 {
@@ -193,7 +193,7 @@ TEST(RecordedLoads, PushesThatCancelAreComparedByTheirMagnitudes)
                 area < 0.9);
       EXPECT_EQ(loads->correction(), 1.);
       EXPECT_EQ(audited(*loads, "loads_pushes_cancel"), 1.);
-      // What is left is that of the whole side less that of the other.
+      // The push left is that of the whole side less that of the other.
       EXPECT_NEAR(audited(*loads, "loads_largest_recorded_push"),
                   1e-3 * (300. - left),
                   1e-6);
@@ -206,7 +206,7 @@ TEST(RecordedLoads, PushesThatCancelAreComparedByTheirMagnitudes)
 }
 
 
-// What the pressures push with, without directions, is 0.72 N s: a third of it
+// The push of the pressures, without directions, is 0.72 N s: a third of it
 // arrives where 0.4 of the first facet is loaded and the second is away.
 TEST(RecordedLoads, LoadsThatHardlyArriveAreRefused)
 {
@@ -288,7 +288,7 @@ TEST(RecordedLoads, MirroredAcrossTwoPlanes)
 }
 
 
-// A thin plate beside the plane of symmetry, pressed by 100 Pa from the plane
+// A thin plate next to the plane of symmetry, pressed by 100 Pa from the plane
 // and by 300 Pa from outside: so is its mirror image.
 TEST(RecordedLoads, MirroredFacetsFeelWhatFacesThem)
 {
@@ -369,7 +369,7 @@ void write_ramp(const std::string &file, const std::vector<double> &lengths)
   }
 }
 
-/// What it pushes with from 0 to 40 ms, summed over times 0.01 ms apart [Pa s].
+/// Impulse felt from 0 to 40 ms, summed over times 0.01 ms apart [Pa s].
 double felt_impulse(solid::RecordedLoads &loads)
 {
   double sum = 0.;

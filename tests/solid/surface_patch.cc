@@ -66,7 +66,7 @@ TEST(SurfacePatch, MovesAsItsMeanDoes)
 }
 
 
-// Of a closed surface, what goes in comes out.
+// The motion into a closed surface equals that out of it.
 TEST(SurfacePatch, OfTheWholeBodyHasNoMeanInTranslation)
 {
   const Box box(false);

@@ -11,7 +11,7 @@ using dealii::Point;
 
 namespace
 {
-/// Of this rank's part of the box.
+/// Mesh and averages of this rank's part of the box.
 struct Part
 {
   explicit Part(const MPI_Comm communicator)

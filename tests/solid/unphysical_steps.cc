@@ -81,7 +81,7 @@ void check_step_back()
       EXPECT_NE(what.find(part), std::string::npos) << what;
   }
   EXPECT_EQ(state_of(body), before);
-  // What follows is as if nothing had happened.
+  // The body continues as if nothing had happened.
   solid::SolidBody<Real> other;
   set_up(other, 5.);
   for (unsigned int i = 0; i < 7; ++i)
