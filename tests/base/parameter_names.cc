@@ -36,7 +36,7 @@ std::string understood(const std::string &text)
   return path + one.entry + "=" + one.value;
 }
 
-/// What may have been overlooked in a file of this text with overrides.
+/// Possible oversights in a file of this text with overrides.
 std::vector<std::string>
 oversights_of(const std::string &text,
               const std::vector<std::string> &overrides = {})

@@ -27,7 +27,7 @@ void prepare_record(const std::string &folder)
     .write_record(false, {"0123-key", "finished", 1.5, 3., 1e9, 2e6});
 }
 
-/// What is damaged counts as a stage that has not begun.
+/// A damaged record counts as a stage that has not begun.
 void read_record(const std::string &path)
 {
   const coupling::TaskFiles files(folder_of(path), "blast");
@@ -66,7 +66,7 @@ void prepare_probes(const std::string &folder)
                      {"brain displacement_z", "m", 0.3 * x}});
 }
 
-/// What a scene takes from the results of its stages in the end.
+/// Reads the results of the stages as a scene does in the end.
 void read_results(const std::string &path)
 {
   coupling::SceneParameters scene;

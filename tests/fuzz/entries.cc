@@ -97,7 +97,7 @@ const std::map<std::string, Application> &applications()
   return all;
 }
 
-/// What may be written into an entry of any kind.
+/// Mistakes that may be written into an entry of any kind.
 const std::vector<std::string> mistakes{"",
                                         "-1",
                                         "0",

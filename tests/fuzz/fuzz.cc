@@ -42,7 +42,7 @@ namespace
     std::string replay;
   };
 
-  /// What the reading process says to its parent.
+  /// Report of the reading process to its parent.
   struct Progress
   {
     std::uint64_t number;
@@ -133,7 +133,7 @@ namespace
                              const double end,
                              Progress &progress)
   {
-    // What libraries print and where they dump is of no interest.
+    // Output and dumps of libraries are of no interest.
     std::freopen("/dev/null", "w", stdout);
     std::freopen("/dev/null", "w", stderr);
     const rlimit none{0, 0};

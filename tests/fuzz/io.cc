@@ -111,7 +111,7 @@ void prepare_cost(const std::string &folder)
   std::filesystem::copy_file(cache.file(), folder + "/cost.json");
 }
 
-/// What is damaged counts as not there.
+/// A damaged cache of costs counts as missing.
 void read_cost(const std::string &path)
 {
   setenv(
@@ -175,7 +175,7 @@ void read_manifest(const std::string &path)
 }
 
 
-/// Of the folder that the file is in, which has but this checkpoint.
+/// Reads the newest checkpoint of the file's folder, which has but this one.
 void read_checkpoint(const std::string &path)
 {
   Collective collective(MPI_COMM_SELF);

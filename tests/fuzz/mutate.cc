@@ -123,7 +123,7 @@ namespace
       const std::size_t end = text_.find_first_of(between, begin);
       const std::size_t length =
         (end == std::string::npos ? text_.size() : end) - begin;
-      // Of binary files this must not eat everything.
+      // In binary files this must not eat everything.
       text_.replace(
         begin, std::min<std::size_t>(length, 24), words[below(words.size())]);
     }

@@ -41,7 +41,7 @@ void prepare_summary(const std::string &folder)
        " \"message\": \"x\", \"performance\": {\"core_seconds\": 1.5}}\n";
 }
 
-/// Of the run that ended well, and of one that was refused.
+/// Judges the run as one that ended well, and as one that was refused.
 void read_summary(const std::string &path)
 {
   const std::string folder = path.substr(0, path.rfind('/'));

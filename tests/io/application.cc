@@ -298,7 +298,7 @@ TEST(Application, SummaryIsOfAllStarts)
   EXPECT_NE(summary(folder)["assumptions"]["weight"]["estimate"], 1.);
 }
 
-// What the plan warns of and the run refutes is no warning of the finished run.
+// A warning of the plan that the run refutes is none of the finished run.
 TEST(Application, SummaryHasNoWarningThatDidNotComeTrue)
 {
   const std::string folder = local("refuted");

@@ -101,7 +101,7 @@ TEST(BadInput, IsRefusedInOneLineAndLeavesNothing)
     "of memory");
   expect_failure(run_scene(folder, with("input", 0)), 1, "spring is broken");
   EXPECT_FALSE(exists(folder));
-  // What left nothing begins.
+  // A run that left nothing begins.
   EXPECT_EQ(run_scene(folder, {"--resume"}).code, 0);
   expect_failure(run_scene(folder, {"--resume", "--set", "Time/End time=4"}),
                  1,

@@ -88,7 +88,7 @@ void expect_known(const CostEstimate &cost, const bool is_known)
 }
 } // namespace
 
-// Of a trial that is stopped in a stage nobody knows how its mesh goes on.
+// A trial that is stopped in a stage does not tell how its mesh continues.
 TEST(CostForecast, IsUnknownWhereNoTrialComesToTheEndOfTheLastStage)
 {
   for (const double hand_over : {0.01, 0.9})
@@ -153,7 +153,7 @@ TEST(CostForecast, ExtrapolatesBeyondBothLaws)
 
 TEST(CostForecast, RefinesLayersOfAnAdaptiveMesh)
 {
-  // Between surfaces and volume, beside what stays.
+  // Growth between that of surfaces and volumes, besides cells that stay.
   const auto cells = [](const double level) {
     return 100. + 20. * std::pow(2., 2.25 * level);
   };
@@ -226,7 +226,7 @@ TEST(CostCache, DoesWithoutAFolder)
   EXPECT_FALSE(cache.read());
 }
 
-// What a stage has by nature none of needs no reason.
+// Figures that a stage lacks by nature need no reason.
 TEST(Plan, SaysWhyFiguresOfTheCostAreBlank)
 {
   CostEstimate mesh, blast, body;

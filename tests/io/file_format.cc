@@ -134,7 +134,7 @@ TEST(FileFormat, ANewerForecastIsRefused)
   EXPECT_EQ(read_check_file(file).cost.steps, 7.);
   EXPECT_EQ(read_check_file(file).cost.cells, 0.);
   auto content = read_json(file, formats::forecast);
-  // What is unknown is no number for other programs.
+  // An unknown value is no number for other programs.
   for (const Json &row : {content, content["stages"][0]})
     EXPECT_TRUE(row["steps"] == 7. && row["cells"].is_null()) << row;
   content["format"] = formats::forecast.number + 1;

@@ -10,7 +10,7 @@ namespace contrecoup
 {
 namespace io
 {
-  /// What a run of the oscillator left.
+  /// Results of a run of the oscillator.
   struct Result
   {
     int code = 0;

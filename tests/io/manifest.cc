@@ -143,7 +143,7 @@ TEST(Manifest, ANewRunRemovesOnlyWhatTheOldOneWrote)
   EXPECT_EQ(files_in(folder),
             (Names{"fields/x.txt", "inner/y.txt", "manifest.json"}));
   EXPECT_EQ(Manifest(folder).application(), "solid");
-  // What was the old run's alone is not the new one's.
+  // A file of the old run alone is not the new one's.
   write(folder + "/history.csv");
   EXPECT_EQ(Manifest(folder).own_files(), Names{});
   Manifest(folder).remove_all();

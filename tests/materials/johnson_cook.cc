@@ -73,7 +73,7 @@ Matrix3<double> shake(std::mt19937 &random, const double size)
   return result;
 }
 
-/// Of stretching by a part along x and shrinking across, in one step.
+/// Displacement gradient of one step that stretches x and keeps the volume.
 Matrix3<double> isochoric_stretch(const double logarithm)
 {
   Matrix3<double> result{};

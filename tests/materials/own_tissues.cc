@@ -25,7 +25,7 @@ OwnTissues read(const std::vector<std::string> &entries)
   for (const std::string &entry : entries)
     assignments.push_back(parse_override("Materials/Tissue " + entry));
   apply_assignments(assignments, prm);
-  // What a run writes is read again as it was.
+  // Entries that a run writes are read again as they were.
   ParameterHandler again;
   {
     const Section section(again, "Materials");
@@ -114,7 +114,7 @@ TEST(OwnTissues, ANewNameNeedsDensityAndModuli)
   EXPECT_EQ(material.density, 100.);
   EXPECT_FALSE(material.is_viscoelastic());
   EXPECT_FALSE(material.gas.exists());
-  // What one run of a process makes known has no properties in the next one.
+  // A tissue of one run of a process has no properties in the next one.
   EXPECT_THROW(physiological(foam, {}), InputError);
   EXPECT_NE(refusal({"cork/Density=100"}).find("Bulk modulus, Shear modulus"),
             std::string::npos);

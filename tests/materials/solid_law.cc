@@ -257,7 +257,7 @@ TEST(SolidLaw, CavitatesAtTheLargestTension)
 
 TEST(SolidLaw, PrincipalDifference)
 {
-  // Of eigenvalues a, b, c in the frame of two rotations, also with two alike.
+  // Eigenvalues a, b, c in the frame of two rotations, also with two alike.
   const double values[][3] = {
     {3., 1., -2.}, {1., 0., -1.}, {1., 1., -2.}, {2., -1., -1.}, {5., 5., 5.}};
   for (const auto &[a, b, c] : values)

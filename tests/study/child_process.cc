@@ -63,7 +63,7 @@ TEST(ChildProcess, DoesNotInheritAnMpiJob)
   setenv("PRTE_MCA_rmaps_default_mapping_policy", "slot", 1);
   const contrecoup::io::TemporaryFolder folder;
   const std::string variables = run_process({"env"}, folder.path()).output;
-  // Of PMIx settings alone are kept.
+  // Only settings are kept of PMIx's variables.
   for (auto at = variables.find("PMIX_"); at != std::string::npos;
        at = variables.find("PMIX_", at + 1))
     EXPECT_EQ(variables.substr(at, 9), "PMIX_MCA_") << variables.substr(at, 30);

@@ -75,7 +75,7 @@ protected:
 };
 } // namespace
 
-// Of a positive phase that the run cuts off, in a summary and in a table.
+// The run cuts a positive phase off, in a summary and in a table.
 TEST_F(SceneFolder, MarksLowerLimits)
 {
   write("blast/summary.json", R"({"results": {

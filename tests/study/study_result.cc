@@ -184,7 +184,7 @@ TEST_F(FinishedStudy, ExtrapolatesWithinEachSeries)
 
 TEST_F(FinishedStudy, TakesSizesOfCellsForMeshWidths)
 {
-  // Of levels 1, 2, 3, on sizes that halve twice from one to the next.
+  // Errors of levels 1, 2, 3, on sizes that halve twice from one to the next.
   read({"Vary level/Values=16; 4; 1", "Vary level/Refinement=by size"});
   for (const std::string scheme : {"first", "second"})
     for (unsigned int level = 1; level <= 3; ++level)

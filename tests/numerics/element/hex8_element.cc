@@ -214,7 +214,7 @@ TEST(Hex8, StrainsThatTurnWithTheBodyHaveForcesThatTurn)
   const Corners f = forces<SolidKinematics::finite_rotation>(m, x, u);
   const Corners g =
     forces<SolidKinematics::finite_rotation>(m, x, difference(turned(y), x));
-  // What turned() adds to every corner goes with the difference to corner 0.
+  // The shift that turned() adds to every corner is subtracted.
   const Corners expected = turned(f);
   Corners zero{};
   const Corners shift = turned(zero);

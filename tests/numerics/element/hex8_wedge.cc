@@ -33,8 +33,8 @@ constexpr std::array<std::array<double, 2>, 4> skewed{
   {{{0.5, 0.1}}, {{1.4, -0.1}}, {{1.6, 0.9}}, {{0.7, 1.2}}}};
 } // namespace
 
-/// Of a brick eighths; of a ring from the axis on, where the function of the
-/// outer corners is r / h, two thirds of its volume.
+/// A brick's corners have an eighth each; in a ring from the axis on, the outer
+/// ones, whose function is r / h, have two thirds of its volume.
 TEST(Hex8Wedge, weighs_corners_by_what_is_around_them)
 {
   const HexWedge wedge{2, 0.1};

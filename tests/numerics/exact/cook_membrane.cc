@@ -198,7 +198,7 @@ private:
 };
 } // namespace
 
-// Of meshes of 8, 16 and 32 elements along each side, from which the reference
+// Meshes of 8, 16 and 32 elements along each side, from which the reference
 // comes as that of elements of no size; 64 of them have 0.27645753 and
 // 0.26390688.
 TEST(CookMembrane, mixed_elements_converge_to_the_reference)

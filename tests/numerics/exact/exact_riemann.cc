@@ -178,7 +178,7 @@ TEST(ExactRiemann, RefusesToExpandToAnImaginarySoundSpeed)
 }
 
 
-// Burned TNT (1630 kg/m^3 with all of its energy) beside air at rest.
+// Burned TNT (1630 kg/m^3 with all of its energy) next to air at rest.
 TEST(ExactRiemann, SolvesProductsBesideAir)
 {
   const JwlParameters jwl = find_explosive("tnt").jwl;

@@ -15,7 +15,7 @@ TEST(FluidFilledShell, is_a_mass_on_a_spring)
   EXPECT_NEAR(shell.mass(), 3.14356, 1e-5);
   EXPECT_NEAR(shell.stiffness(), 9.139e6, 1e3);
   const double rate = std::acos(-1.) / shell.contact_time();
-  // What it had of motion is in the spring when it turns.
+  // Its kinetic energy is all in the spring when it turns.
   EXPECT_NEAR(std::pow(shell.peak_force(), 2) / shell.stiffness(),
               shell.mass() * shell.speed * shell.speed,
               1e-12);

@@ -32,7 +32,7 @@ TEST(SedovSolution, StrongShockRelationsHoldBehindTheShock)
     {
       const SedovSolution solution(n, gamma, 1.3, 2.);
       const double time = 0.7, radius = solution.shock_radius(time);
-      // The closed form is singular at gamma = 2 and taken beside it.
+      // The closed form is singular at gamma = 2 and taken near it.
       const double tolerance = (gamma == 2.) ? 1e-5 : 1e-9;
       const double speed = 2. / (n + 2.) * radius / time;
 
@@ -53,7 +53,7 @@ TEST(SedovSolution, StrongShockRelationsHoldBehindTheShock)
     }
 }
 
-// What was swept up is still there, and so is the energy released.
+// The profile holds all the mass swept up and all the energy released.
 TEST(SedovSolution, ProfileHoldsMassAndEnergy)
 {
   const std::array<double, 3> sphere{{1., 2. * M_PI, 4. * M_PI}};

@@ -291,7 +291,7 @@ TEST(BlastInjury, BreaksHalfOfTheEardrumsAt104Kilopascal)
   EXPECT_EQ(eardrum_rupture_probability(-1.), 0.);
 }
 
-// Of a rectangle of 100 g and 10 ms: 0.01 s times 100^2.5; no longer window has
+// A rectangle of 100 g and 10 ms has 0.01 s times 100^2.5; no longer window has
 // more, and a shorter one has its part.
 TEST(HeadInjury, OfARectangleIsExact)
 {
@@ -327,7 +327,7 @@ TEST(HeadInjury, OfVelocitiesCountsEachChange)
   EXPECT_THROW(head_injury_criterion(times, velocities, 1.), InputError);
 }
 
-// Of half a sine of peak a and length T, 0.4146 a^2.5 T over 0.6626 T (the
+// Half a sine of peak a and length T has 0.4146 a^2.5 T over 0.6626 T (the
 // maximum of s (2 sin(pi s / 2) / (pi s))^2.5).
 TEST(HeadInjury, OfHalfASineIsKnown)
 {
@@ -411,7 +411,7 @@ TEST(ChannelFilter, ShiftsNothing)
   EXPECT_THROW(channel_class_filter(line, 2.1e-4, 1000.), InputError);
 }
 
-// Of unequal times, and of few.
+// Histories of unequal times, and of few.
 TEST(ChannelFilter, TakesHistories)
 {
   VectorHistory history;

@@ -20,8 +20,8 @@ double earliest(const double energy, const double distance)
 } // namespace
 
 
-// Of ANFO the tables come 1.0 to 5.9 % before the point source, with 0.62 times
-// its mass of TNT.
+// The tables, with 0.62 times the mass of ANFO in TNT, come 1.0 to 5.9 % before
+// the point source.
 TEST(WaveReflection, ComesNoLaterThanPointSourceAndTables)
 {
   for (const std::string &name : explosive_names())

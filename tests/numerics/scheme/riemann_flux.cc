@@ -144,7 +144,7 @@ TEST(RiemannFlux, TakesTheUpwindFluxInSupersonicFlow)
 }
 
 
-// What leaves one side enters the other, whichever way the face is seen: in
+// The flux out of one side enters the other, whichever way the face is seen: in
 // HLLC to the last bit, so that symmetric flows stay so.
 TEST(RiemannFlux, IsMirrored)
 {
