@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-// Throughput of steps on moving meshes, on cubes of 64^3 elements, beside a
+// Throughput of steps on moving meshes, on cubes of 64^3 elements, next to a
 // control loop: the forces of the same elements over arrays, one element after
 // the other, as a plain code would find them. Started without arguments it runs
 // itself under mpirun, on one rank and on two.

@@ -9,7 +9,7 @@
 namespace contrecoup
 {
 /**
- * What the gas kernels are compared with: the second-order finite-volume
+ * Control for the gas kernels: the second-order finite-volume
  * scheme (MC limiter, HLLC flux, ideal gas, Runge-Kutta stages) on a periodic
  * cube of n^3 cells, as one writes it first: one array of doubles per
  * conserved quantity, one line of cells after the other, no SIMD lanes by hand.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-// Throughput of the gas solver on a periodic cube, one row per case, and beside
-// that of a plain loop. Started without arguments it runs itself under mpirun,
+// Throughput of the gas solver on a periodic cube, one row per case, and of a
+// plain loop. Started without arguments it runs itself under mpirun,
 // on one rank and on two; "benchmark_gas scene" gives the row of scenes alone,
 // "benchmark_gas finite_volumes" and "benchmark_gas galerkin" those of a
 // scheme.
@@ -42,7 +42,7 @@ const Settings jwl = {{"Material/Equation of state", "jwl in air"}};
 const Settings slab = {{"Initial state/Expression/Pressure",
                         "1e5 * (1 + 4 * (abs(x + 0.3*y - 0.65) < 0.1))"}};
 
-/// What scenes run: products of an explosive that expand into air, beside a
+/// A run like those of scenes: products of an explosive expand into air near a
 /// body with cells of a quarter of the size at its skin. Wind keeps all leaves
 /// active.
 const Settings scene = {{"Domain/Periodic directions", ""},
@@ -86,7 +86,7 @@ void set(ParameterHandler &prm, const Settings &settings)
   }
 }
 
-/// What a case reached.
+/// Results of a case.
 struct Throughput
 {
   double unknowns_per_second = 0.; ///< updates per stage and core

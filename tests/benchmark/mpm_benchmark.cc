@@ -2,7 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 // Throughput of the material point method, on elastic blocks of 32^3 cells with
-// eight particles each, beside a control loop: the same step over arrays of
+// eight particles each, next to a control loop: the same step over arrays of
 // particles and nodes, one particle after the other, as a plain code would do
 // it. Started without arguments it runs itself under mpirun, on one rank and on
 // two.

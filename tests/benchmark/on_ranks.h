@@ -12,7 +12,7 @@
 namespace contrecoup
 {
 /**
- * What the main function of a benchmark does: without arguments it runs the
+ * Body of a benchmark's main function: without arguments it runs the
  * program again under mpirun, on one rank and on two, which measure.
  * @return the exit code
  */
