@@ -26,7 +26,7 @@ contrecoup_add_application_test(coarse bounds
     "Output/Pictures=false" "Output/Gmsh=true" "Output/Distance spacing=0.05"
   BOUNDS "cells == 8")
 
-# Readers beside ParaView.
+# Readers besides ParaView.
 contrecoup_add_application_test(vtu foreign_reader
   FILE anatomy/quickstart.prm SET "Output/Pictures=false" "Mesh/Element size=0.02"
     "Mesh/Coarsening levels=1")

@@ -91,7 +91,7 @@ contrecoup_add_application_test(body_smooth gauge_order
 
 # The pressure on the wall, as means over 0.04 s, converges at first order: in front
 # of a cylinder and a sphere, with 64 to 256 and with 64 and 128 cells in the
-# radius, beside and behind a cylinder, with 64 and 128, and beside a sphere, with
+# radius, next to and behind a cylinder, with 64 and 128, and next to a sphere, with
 # 32 and 64. The peak in front stays an overshoot of less than 4 %.
 contrecoup_add_application_test(body_cylinder_front gauge_order
   FILE blast/verification/body_cylinder_front.prm

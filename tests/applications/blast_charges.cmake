@@ -81,8 +81,8 @@ results.probe_1_peak_overpressure > 9.22e6;\
 results.probe_1_peak_overpressure < 10.17e6;\
 results.probe_1_arrival > 5.31e-5;results.probe_1_arrival < 5.334e-5")
 
-# What scenes tell of the model's bias (source/coupling/scene/model_bias.cc) is what
-# runs have, within 0.01.
+# The model's bias by scenes (source/coupling/scene/model_bias.cc) is that of runs,
+# within 0.01.
 blast_burns(bias_tnt verification/explosive_bias
   "errors.probe_3_peak_overpressure_relative < 0.056;\
 errors.probe_3_impulse_relative > 0.068;errors.probe_3_impulse_relative < 0.088;\
@@ -177,7 +177,7 @@ conservation.products_mass_relative_change < 1e-12")
 foreach(_file charge_1_mg charge_1000_kg charge_cut stand_off_10_mm stand_off_50_m)
   blast_burns(extreme_${_file} extremes/${_file} "${_closed}")
 endforeach()
-# What these burn is burned after 13 and 40 microseconds; the detonation has then met
+# Their charges are burned after 13 and 40 microseconds; the detonation has then met
 # the ground, and the blast of one charge the other, in cells of 6.7 mm.
 blast_burns(extreme_charge_on_ground extremes/charge_on_ground "${_closed}"
   "Time/End time=3e-5")

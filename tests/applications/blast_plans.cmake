@@ -1,4 +1,4 @@
-# What presets promise, and what a run takes for granted.
+# Promises of presets, and assumptions of runs.
 
 # Stated errors and costs of presets.
 contrecoup_add_application_test(presets presets

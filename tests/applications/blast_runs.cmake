@@ -95,7 +95,7 @@ contrecoup_add_application_test(pictures_3d pictures ${_hot_ball} MPI 2 CORES 1
   plane_y_0_pressure.png plane_y_0_density.png plane_y_0_pressure_lowest.png
   plane_y_0_maps.png gauges_line_1.png gauges_plane_1_maps.png)
 
-# Readers beside ParaView, in two and three dimensions.
+# Readers besides ParaView, in two and three dimensions.
 foreach(_file sedov_2d sedov_3d)
   contrecoup_add_application_test(vtu_${_file} foreign_reader
     FILE blast/verification/${_file}.prm

@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Contrecoup authors
-"""What must not be computed is refused before anything is meshed, and what may
-be is not: danger.py APPLICATION PROGRAM BLAST, the last being that program.
+"""Cases that must not be computed are refused before anything is meshed,
+others are not: danger.py APPLICATION PROGRAM BLAST, the last being that
+program.
 
 Each row of REFUSED is refused with exit code 1 by --check, the first ones also
 by a run, in one line that has the words given, before a mesh is made and
@@ -254,7 +255,7 @@ def call(program, file, overrides, extra):
 
 
 def judge_refusal(run, words):
-    """What is wrong with a refusal, or nothing."""
+    """Flaw of a refusal; empty if there is none."""
     if run.returncode != 1:
         return f"exit code {run.returncode}"
     lines = run.stderr.strip().splitlines()
@@ -285,7 +286,7 @@ def put_earlier_run(application, folder):
 
 
 def judge_loss(run, folder, before):
-    """What is wrong with a run that was refused in a folder with results."""
+    """Flaw of a run that was refused in a folder with results."""
     if run.returncode != 1 or len(run.stderr.strip().splitlines()) != 1:
         return f"exit code {run.returncode}"
     after = {}
@@ -296,7 +297,7 @@ def judge_loss(run, folder, before):
 
 
 def judge_acceptance(run, words, others):
-    """What is wrong with what --check said, or nothing."""
+    """Flaw of the output of --check; empty if there is none."""
     if run.returncode != 0:
         return f"exit code {run.returncode}"
     missing = [word for word in words if word not in run.stdout]

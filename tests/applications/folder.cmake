@@ -50,7 +50,7 @@ contrecoup_add_application_test(folder_foreign folder_foreign
   FILE scene/verification/head.prm COMPARE scene.json report.html
   blast/history.csv anatomy/mesh.vtu blast.prm TIMEOUT 120)
 
-# Killed before there is anything to go on with, and begun by --resume.
+# Killed before there is anything to continue from, and begun by --resume.
 contrecoup_add_application_test(folder_begins folder_begins ${_ball}
   ARGUMENTS --set "Time/End time=1e3" --set "Time/Largest number of steps=1000000"
   TIMEOUT 120)

@@ -19,7 +19,7 @@ def moving(axis, speed):
 
 
 def refused_by_both():
-    """What neither moving meshes nor particles can compute."""
+    """Cases that neither moving meshes nor particles can compute."""
     yield ("velocity across a plane of symmetry", moving("x", "2.5"),
            "Velocity x is 2.5 m/s across the plane of symmetry normal to x")
     yield ("body force across a plane of symmetry", {"Body force/y": "-9.81"},
@@ -60,7 +60,7 @@ def refused_by_both():
 
 
 def refused_by_one():
-    """What one method cannot compute."""
+    """Cases that one method cannot compute."""
     yield (HEAD, "plane without a surface", {"Side surface/Kind": "wall"},
            'Plane wall/Point = "0, 0, -0.091" selects no free surface')
     yield (HEAD, "slip without smoothing", {"Region CSF/Interface": "slip",
@@ -95,7 +95,7 @@ def refused_by_one():
 
 
 def warned_of():
-    """What is computed with a warning, or a word in the plan."""
+    """Cases computed with a warning, or a word in the plan."""
     for method in ("ale", "mpm"):
         yield (HEAD, f"{method}: thresholds of the user",
                dict(COARSE, **{

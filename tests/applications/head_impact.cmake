@@ -174,7 +174,7 @@ contrecoup_add_application_test(triple_point_one_gas_lagrange bounds
   BOUNDS ${_ledger}
   "history.kinetic_energy > 0.1112" "history.kinetic_energy < 0.1192"
   LABELS verification)
-# What the exact solutions of the two shock tubes at its walls have, within 0.55 %.
+# The exact solutions of the two shock tubes at its walls, within 0.55 %.
 contrecoup_add_application_test(triple_point_walls bounds
   FILE ${_folder}/triple_point.prm SET "Output/Fields=false" "Time/End time=1"
   "Mesh/Elements=84, 36, 1" BOUNDS ${_ledger}
@@ -194,8 +194,8 @@ contrecoup_add_application_test(water_hammer bounds
   LABELS verification)
 
 # The charge of the paper: in a wider cone on a mesh at rest, and with a rezone each
-# microsecond. The errors of both with 2 mm, and what they look like beside blast's,
-# head_impact_paper_cone_profiles holds.
+# microsecond. head_impact_paper_cone_profiles compares the errors of both with 2 mm
+# with blast's.
 set(_wider_cone "Mesh/Position x=x / sqrt(1 + 0.01 * (y^2 + z^2))"
   "Mesh/Position y=x * 0.1 * y / sqrt(1 + 0.01 * (y^2 + z^2))"
   "Mesh/Position z=x * 0.1 * z / sqrt(1 + 0.01 * (y^2 + z^2))")
@@ -222,7 +222,7 @@ contrecoup_add_application_test(paper_cone_lagrange bounds
   "errors.density_L1 < 0.546" "errors.velocity_L1 < 74.9" "errors.pressure_L1 < 198.7e3"
   LABELS verification)
 
-# The same by blast, and all of them beside one another.
+# The same by blast, and all of them next to one another.
 contrecoup_add_application_test(paper_1d_at_once convergence
   FILE blast/verification/paper_1d.prm SET ${_profiles}
   "Charges/Detonation speed=1e6"
@@ -332,7 +332,7 @@ contrecoup_add_application_test(shell_fine bounds
   LABELS verification nightly)
 
 # Water onto a plate, solved in turn: the plate gets 1.929 m/s, within 0.21 %. A thinner one
-# weighs less than the water beside it.
+# weighs less than the water next to it.
 set(_thin "Mesh/Position x=if(x > 0.1, 0.1 + 0.25 * (x - 0.1), x)"
   "Time/End time=7.5e-6" "Output/History every steps=1")
 contrecoup_add_application_test(added_mass bounds,ranks,resume
@@ -396,7 +396,7 @@ contrecoup_add_application_test(refuses_wedge_of_box refusal
 contrecoup_add_application_test(refuses_wedge_in_turn refusal
   FILE head_impact/quickstart.prm SET "Mesh/Wedge axis=z" "Coupling/Scheme=Aitken"
   MESSAGE "Mesh/Wedge axis: the nodal masses of a wedge do not suit")
-# Thin cells in the skull beside thick ones in the CSF: a ratio of added mass of 1.9,
+# Thin cells in the skull next to thick ones in the CSF: a ratio of added mass of 1.9,
 # remaps and contact, solved in turn.
 set(_thick ${_coarse} "Mesh/CSF cells=1" "Mesh/Skull cells=4"
   "Scheme/Courant number=0.3" "Time/End time=6e-5")
@@ -555,7 +555,7 @@ contrecoup_add_application_test(refuses_interval_below_step refusal
   FILE ${_folder}/sod.prm SET "Rezone/Interval=1e-9"
   MESSAGE "is far below the step, about")
 
-# Readers beside ParaView, of meshes and of particles.
+# Readers besides ParaView, of meshes and of particles.
 foreach(_file quickstart verification/two_disks)
   string(REGEX REPLACE ".*/" "" _name ${_file})
   contrecoup_add_application_test(vtu_${_name} foreign_reader

@@ -23,7 +23,7 @@ contrecoup_add_application_test(two_disks bounds,resume
   "checks.contact_loss < 0.0638"
   COMPARE history.csv STOP_AFTER 170 LABELS verification)
 
-# Of 25.133 mJ, 100.0 % are kinetic or stored energy at the end: the bounds leave 1 %.
+# At the end 100.0 % of 25.133 mJ are kinetic or stored energy: the bounds leave 1 %.
 contrecoup_add_application_test(two_disks_fine bounds
   FILE ${_folder}/two_disks.prm SET "Output/Fields=false" "MPM/Cell size=0.01"
   "Mesh/Upper corner=1, 1, 0.01"

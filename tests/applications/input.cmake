@@ -6,7 +6,7 @@ _contrecoup_register_test(input_selections TIMEOUT 900 LABELS refusal
 _contrecoup_register_test(input_used_with LABELS refusal
   COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/used_with.py
     $<TARGET_FILE_DIR:blast>)
-# What --check forecasts is what the run needs, for cheap runs of each application.
+# --check forecasts what the run needs, for cheap runs of each application.
 _contrecoup_register_test(input_forecasts TIMEOUT 900
   COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/tests/validation/forecasts.py
     ${PROJECT_BINARY_DIR} ${CMAKE_CURRENT_BINARY_DIR}/input_forecasts --cheap)

@@ -45,7 +45,7 @@ OTHER = "other.prm"
 
 
 def shipped(path, *lines):
-    """A parameter file that includes a shipped one and goes on."""
+    """A parameter file that includes a shipped one and adds lines."""
     return "\n".join([f"include @FILES@/{path}", *lines, ""]).encode()
 
 
@@ -58,7 +58,7 @@ def entry(path, value):
     return text
 
 
-# Beside that of a shipped file.
+# A charge besides that of a shipped file.
 SECOND_CHARGE = (entry("Charges/Charge 2/Mass", "1"),
                  entry("Charges/Charge 2/Center", "1.6, 0, 2"))
 
@@ -191,7 +191,7 @@ def refused_other_files():
 
 
 def refused_blasts():
-    """What no explosive and no run of blast can have."""
+    """Values that no explosive and no run of blast can have."""
     burn = entry("Charges/Afterburn/Kind", "miller")
     for explosive, energy, most in (
             ("tnt", "2", "0 for none, or a number from 1e+04 to 1.082e+07"),
@@ -216,7 +216,7 @@ def refused_blasts():
 
 
 def refused_bodies():
-    """What biomechanics refuses only after its mesh is there."""
+    """Cases that biomechanics refuses only after its mesh is there."""
     pulse = "Loads/Load end/"
     yield ("charge in the body", "biomechanics",
            shipped(BAR, entry(pulse + "Kind", "kingery bulmash"),
@@ -255,7 +255,7 @@ def refused_gas_selections():
 
 
 def refused_scenes():
-    """What contradicts itself between stages of a scene, or is nowhere."""
+    """Entries that contradict other stages of a scene, and unknown ones."""
     end = entry("Scene/End time", "0.005")
     for path, value, message in [
             ("Biomechanics/Time/End time", "0.01",
@@ -347,7 +347,7 @@ def refused_scenes():
 
 
 def accepted():
-    """What is understood, and what is said of it."""
+    """Input that is understood, and the words about it."""
     sod = "\n".join(["include @FILES@/" + SOD, ""])
     yield ("byte order mark", "blast",
            b"\xef\xbb\xbf" + sod.encode(), "The parameters are valid.")
@@ -579,7 +579,7 @@ def without_brain():
 
 
 def light_persons(*more):
-    """Of 50 kg, in tissue and in the gas."""
+    """Persons of 50 kg, in tissue and in the gas."""
     light = (entry("Body/Phantom/Stature", "1.55"),
              entry("Body/Phantom/Mass", "50"))
     return (shipped("biomechanics/quickstart.prm", *light, *more,
@@ -792,7 +792,7 @@ def run_each(program, names):
 
 
 def judge_refusal(end, message):
-    """What is wrong with an answer that should be a refusal."""
+    """Flaw of an answer that should be a refusal."""
     lines = end.stderr.splitlines()
     if end.returncode != 1:
         return f"exit code {end.returncode}: {end.stderr}"
@@ -814,7 +814,7 @@ def judge_silence(end, text):
 
 
 def judge_full_output(program):
-    """What is wrong with the answer of a program whose output has no room."""
+    """Flaw of the answer of a program whose output has no room."""
     with open("/dev/full", "w", encoding="utf-8") as full:
         end = subprocess.run([program, "--print-parameters"], stdout=full,
                              stderr=subprocess.PIPE, text=True, timeout=300)
@@ -825,7 +825,7 @@ def judge_full_output(program):
 
 
 def judge_dump(program):
-    """What is wrong with the check of a file that holds all entries as
+    """Flaw of the check of a file that holds all entries as
     --print-parameters prints them: it says what that of an empty file says."""
     def words(content):
         with open(os.path.join(FOLDER, DUMP), "wb") as file:
@@ -847,8 +847,8 @@ def judge_dump(program):
 
 
 def judge_estimate(program, files):
-    """What --estimate leaves out of the warnings of --check about entries, and
-    how often it tells of lungs of who stands in the open."""
+    """Flaw of --estimate: it lacks a warning of --check about entries, or tells
+    of lungs of who stands in the open a wrong number of times."""
     path = os.path.join(files, SCENE)
     for entries, said in (
             (["Charge/Distance=0.3"], 1), (["Charge/Distance=0.3",

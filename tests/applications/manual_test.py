@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Contrecoup authors
-"""What the programs print about themselves, and what is made of it.
+"""Checks the output of the programs about themselves, and what is made of it.
 
 Usage: manual_test.py FOLDER_OF_PROGRAMS FOLDER_OF_MANUAL REPOSITORY
 
@@ -167,7 +167,7 @@ class Pages(unittest.TestCase):
 
 
 def complete(program, *words):
-    """What bash offers for the last of these words."""
+    """Completions by bash for the last of these words."""
     script = """source "$1"; shift
 compopt() { :; }
 COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); COMPREPLY=()

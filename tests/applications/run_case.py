@@ -247,7 +247,7 @@ def check(case, files):
                 r" would (.|\n)* on \d+ ranks?\b", plan):
             raise Failed(f"--check printed no plan of {file}, or not for how "
                          f"many ranks: {plan[-2000:]}")
-        # What a file chooses for itself is no reason for a warning.
+        # Sizes that a file chooses for itself are no reason for a warning.
         coarse = [line for line in plan.splitlines()
                   if line.startswith("WARNING: ") and (
                       "thinner than the elements" in line
@@ -271,7 +271,7 @@ def tells_of(line, file):
 
 
 def report_of(file, files, out):
-    """What stands between the line with this file's name and the next one's."""
+    """Text between the line with this file's name and the next one's."""
     headings = {name + ":" for name in files}
     lines = out.splitlines()
     if lines.count(file + ":") != 1:
@@ -338,7 +338,7 @@ def expect_refusal(case, output, **keywords):
 
 def failure(case):
     """A run that fails leaves its last checkpoint as it was; resumed it fails
-    in the same words, and with what mends it goes on to its end."""
+    in the same words, and with what mends it continues to its end."""
     output = case.folder("run")
     words = expect_refusal(case, output)
     if not checkpoints(output):
@@ -480,7 +480,7 @@ def prove(case, kind):
         print(f"FAILED: {kind}: {reason}", flush=True)
         return 1
     except (OSError, KeyError, ValueError) as reason:
-        # What a run should have left is not there, or is damaged.
+        # A file that a run should have left is missing or damaged.
         print(f"FAILED: {kind}: {type(reason).__name__}: {reason}", flush=True)
         return 1
     except Skipped as reason:

@@ -47,7 +47,7 @@ IMAGE = ["Body/Kind=image", "Body/Image/Kind=labels", "Body/Image/File=@IMAGE@",
          "Body/Image/Labels=1: brain; 9: lung"]
 MESH = ["Body/Kind=mesh", f"Body/Mesh/File={ROOT}/{CUBES}",
         "Body/Mesh/Tissues=1: brain; 2: skeleton; 9: lung"]
-# What a body in the gas needs that no region of these settings meets.
+# A region that meets no body in the gas.
 BALL = ["Shape=ball", "Center=90, 90, 90", "Radius=1"]
 
 
@@ -294,7 +294,7 @@ def entries(program, *words):
 
 
 def named_sections(names):
-    """Of these entries, the sections with names of the user's."""
+    """Sections with names of the user's, among these entries."""
     return {name.partition("*")[0] + "*" for name in names if "*" in name}
 
 
@@ -340,7 +340,7 @@ def write_image(path):
 
 
 def flaw_of(folder, here, application, entry):
-    """What is wrong with the refusal; empty: nothing."""
+    """Flaw of the refusal; empty if there is none."""
     file, settings, *told = CASES[application][entry]
     expected = told[0] if told else entry.replace("*", "none")
     command = [os.path.join(folder, application), os.path.join(FILES, file),

@@ -70,7 +70,7 @@ class SelfTest(unittest.TestCase):
             return code, out.read().decode()
 
     def become(self, arguments, out, err):
-        """Goes on as run_case.py with these arguments, in the test's folder
+        """Continues as run_case.py with these arguments, in the test's folder
         and environment, to the end of the process."""
         code = 1
         try:
@@ -633,7 +633,7 @@ class StudyTest(SelfTest):
 
 
 def names(suite):
-    """Of all tests in a suite of suites."""
+    """Names of all tests in a suite of suites."""
     for test in suite:
         if isinstance(test, unittest.TestSuite):
             yield from names(test)
@@ -652,7 +652,7 @@ def prove(name):
 
 
 def digest():
-    """Of all Python files that these tests are about, and of themselves."""
+    """Digest of the Python files under test and of the tests themselves."""
     total = hashlib.sha256()
     for path in sorted(glob.glob(os.path.join(HERE, "**", "*.py"),
                                  recursive=True)):

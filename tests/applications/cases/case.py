@@ -13,7 +13,7 @@ import samples
 
 
 class Failed(AssertionError):
-    """What was to be proven does not hold."""
+    """The claim that was to be proven does not hold."""
 
 
 class Skipped(Exception):
@@ -41,7 +41,7 @@ class Case:
 
     def command(self, output, extra=(), ranks=None, file=None, program=None,
                 verbose=True):
-        """Of several overrides of an entry the last one is handed on."""
+        """Command line with the last of several overrides of an entry."""
         ranks = ranks or self.options.mpi
         command = []
         if ranks > 1:

@@ -1,4 +1,4 @@
-"""What tests of promised costs prove; kinds of run_case.py."""
+"""Tests of promised costs; kinds of run_case.py."""
 
 import os
 import re

@@ -1,4 +1,4 @@
-"""What tests of fields and lines of gauges prove; kinds of run_case.py."""
+"""Tests of fields and lines of gauges; kinds of run_case.py."""
 
 import contextlib
 import os

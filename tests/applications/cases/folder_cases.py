@@ -1,5 +1,5 @@
-"""What tests of output folders prove: that nothing is lost in them; kinds of
-run_case.py. Applications with checkpoints are stopped by --stop-after steps."""
+"""Tests of output folders, in which nothing may be lost; kinds of run_case.py.
+Applications with checkpoints are stopped by --stop-after steps."""
 
 import contextlib
 import glob
@@ -19,7 +19,7 @@ import resume_cases
 from case import read_bytes, read_json, read_summary, require, snapshot
 from machine_cases import told_once
 
-# Of a user, in places where no application writes.
+# Files of a user, in places where no application writes.
 FOREIGN = ("thesis.txt", "fields/x.txt", "blast/thesis.txt", "anatomy/data.csv",
            "checkpoint/0001/note.txt", "pictures/holiday.jpg", "variants/y.txt")
 
@@ -139,8 +139,8 @@ def has_checkpoint(output):
 
 def folder_lock(case):
     """The second run in a folder is told who is there; after kill -9 the next
-    one knows the files for Contrecoup's and begins anew. --argument: what makes
-    a long run with checkpoints."""
+    one knows the files for Contrecoup's and begins again. --argument: what
+    makes a long run with checkpoints."""
     output = case.folder("run")
     process = case.start(output, case.options.argument)
     number = process.pid
@@ -167,9 +167,10 @@ def folder_lock(case):
 
 
 def folder_begins(case):
-    """--resume of a run that was killed before it left anything to go on with
-    begins, and says so; a folder with files of a user, or of another application,
-    is refused. --argument makes a long run without checkpoints."""
+    """--resume of a run that was killed before it left anything to continue
+    from begins, and says so; a folder with files of a user, or of
+    another application, is refused. --argument makes a long run without
+    checkpoints."""
     output = case.folder("run")
     process = case.start(output, case.options.argument)
     try:
@@ -216,11 +217,12 @@ def environment_of(pid):
 
 def folder_signals(case):
     """SIGINT ends with 130, SIGTERM with 143, SIGUSR1 with 138, so that what
-    comes after && does not begin; what is left is neither lost without a question
-    nor taken for finished, and --resume goes on from the checkpoint. Under mpirun
-    one of the ranks gets the signal, or mpirun SIGUSR1, which is the one that it
-    gives them time for. --argument makes a long run; of several --exit codes, these
-    are tried, the last with --resume."""
+    comes after && does not begin; what is left is neither lost without a
+    question nor taken for finished, and --resume continues from the
+    checkpoint. Under mpirun one of the ranks gets the signal, or mpirun
+    SIGUSR1, which is the one that it gives them time for. --argument makes a
+    long run; of several --exit codes, these are tried, the last with
+    --resume."""
     extra = case.options.argument
     codes = case.options.exit or [130, 138, 143]
     for asked in (signal.Signals(code - 128) for code in codes):
@@ -365,8 +367,8 @@ def read_only(folder):
 
 def folder_ranks_fail(case):
     """All ranks but the first cannot write their part of a checkpoint: exit code
-    3, one line, and the run goes on from the checkpoint before. --argument makes
-    a long run with checkpoints."""
+    3, one line, and the run continues from the checkpoint before. --argument
+    makes a long run with checkpoints."""
     output = case.folder("run")
     process = case.start(output, case.options.argument)
     wait_until(process, lambda: has_checkpoint(output), "a checkpoint")
@@ -462,7 +464,7 @@ def folder_stop_in_drawing(case):
 
 
 def folder_ranks(case):
-    """A checkpoint of another number of ranks goes on where it stood, one of
+    """A run continues from a checkpoint of another number of ranks; one of
     another precision is refused in one line and stays as it is. --argument is
     the entry of the other precision."""
     output, step = case.folder("run"), case.options.stop_after[0]
@@ -482,7 +484,7 @@ def folder_ranks(case):
     require(read_summary(output)["status"] == "finished", "it did not finish")
 
 
-# Of each application a file that is soon done, and what makes it so.
+# For each application, a file that is soon done and the entries for that.
 BRIEF = {
     "anatomy": ("anatomy/extremes/needle.prm", ["Output/Pictures=false"]),
     "blast": ("blast/verification/sod.prm", ["Output/Fields=false"]),
@@ -546,9 +548,10 @@ def put_other_run(output):
 
 
 def folder_stages(case):
-    """What another application left goes with --overwrite only. A stage whose results were cut, changed or deleted is made anew, and the
-    log says why; other entries replace a stage only with --overwrite and only
-    when the new one is complete; files of the user stay."""
+    """Files of another application go with --overwrite only. A stage whose
+    results were cut, changed or deleted is made again, and the log says why;
+    other entries replace a stage only with --overwrite and only when the new
+    one is complete; files of the user stay."""
     output = case.folder("run")
     put(output, *FOREIGN)
     put_other_run(output)

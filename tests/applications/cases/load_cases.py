@@ -1,4 +1,4 @@
-"""What tests of recorded loads prove; kinds of run_case.py."""
+"""Tests of recorded loads; kinds of run_case.py."""
 
 import bisect
 import glob
@@ -111,7 +111,7 @@ def read_domain(output):
 
 
 def entries_of(domain_values):
-    """Of the domain, by the names of lists of numbers."""
+    """Entries of the domain, from lists of numbers by name."""
     return [f"Domain/{name}=" + ", ".join(f"{value:.15g}" for value in values)
             for name, values in domain_values.items()]
 
@@ -131,7 +131,7 @@ def farther(output, number):
 
 
 def largest_difference(output, other):
-    """Of peaks and impulses at the gauges, over the largest of their kind."""
+    """Difference of gauges' peaks and impulses, over the largest of a kind."""
     one, two = (values_of(read_summary(run), "results")
                 for run in (output, other))
     largest = 0.

@@ -1,5 +1,5 @@
-"""What tests of a machine that fails in the middle of a run prove, and of
-checkpoints that another build has written; kinds of run_case.py."""
+"""Tests of a machine that fails in the middle of a run, and of checkpoints
+that another build has written; kinds of run_case.py."""
 
 import contextlib
 import glob
@@ -84,7 +84,7 @@ def goes_on_later(case, name, hindrance, ranks=1):
 
 def disk(case):
     """A disk that fills in the middle of a run: exit code 3, one line, and the
-    run goes on from its last checkpoint once there is room."""
+    run continues from its last checkpoint once there is room."""
     goes_on_later(case, "full", full)
 
 
@@ -146,7 +146,7 @@ def change_run(output, change):
 
 
 def other_build(case):
-    """A checkpoint of another build: the run goes on and says so, or, where
+    """A checkpoint of another build: the run continues and says so, or, where
     format or entries are others, is refused in a line that names both."""
     straight, output = case.straight(), stopped(case, "other_build")
     state = resume_cases.checkpoint_state(output)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Contrecoup authors
-"""What tests of the main job prove, a scene from the charge to its report;
-kinds of run_case.py."""
+"""Tests of the main job, a scene from the charge to its report; kinds of
+run_case.py."""
 
 import math
 import os

@@ -149,7 +149,7 @@ def check_tables(files):
 
 
 def head_of(text):
-    """What is going to be computed: the first lines of a screen."""
+    """Description of the coming run: the first lines of a screen."""
     lines = text.splitlines()
     return lines[:1] + [line for line in lines if line.startswith(
         ("  expected ", "  changed: "))]
@@ -207,7 +207,7 @@ def check_screen(screen, files):
                    warning.partition(" is estimated at ")[0]) not in log]
     require(not unknown and len(warnings) == len(set(warnings)),
             f"screen: {warnings}, report.json: {known}")
-    # What differs from the tables is a warning in both, whatever it is.
+    # Any difference from the tables is a warning in both.
     for told in (warnings, known):
         require(any("run and tables of Kingery" in text for text in told)
                 == any(row["differs"] for row in

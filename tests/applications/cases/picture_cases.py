@@ -1,4 +1,4 @@
-"""What tests of pictures prove; a kind of run_case.py."""
+"""Tests of pictures; a kind of run_case.py."""
 
 import os
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Contrecoup authors
 """Compares the figures of a report.html with the files of its scene, to the
-digits that are shown. The figures are worked out here anew, from the files
-alone."""
+digits that are shown. The figures are worked out here again, from the
+files alone."""
 
 import math
 import os
@@ -72,7 +72,7 @@ CHECKED = ("injury_pressure_roughness",
 
 
 class Files:
-    """What the stages of a scene left."""
+    """Files that the stages of a scene left."""
 
     def __init__(self, output):
         self.output = output
@@ -101,7 +101,7 @@ class Files:
         if os.path.exists(os.path.join(output, "blast", "load_gauges.csv")):
             self.gauges = read_columns(output, "blast", "load_gauges.csv")
 
-        # Of the run with larger cells and elements, by the names of
+        # Values of the run with larger cells and elements, by the names of
         # expected_injuries().
         self.coarser = {row["measure"]: float(row["value"]) for row in
                         read_rows(output, COARSER[1], "injury.csv")}
@@ -134,7 +134,7 @@ class Files:
             if all(values) else None
 
     def entry(self, stage, name):
-        """What a stage was given by an entry, whose name one section has."""
+        """Value of an entry of a stage, whose name one section has."""
         found = re.search(rf"set {name} *= *(.*)",
                           read_text(self.output, stage, "parameters.prm"))
         return found[1] if found else ""
@@ -150,8 +150,8 @@ class Files:
         return float(self.entry(stage, entry) or usual)
 
     def has_probe_at_body(self):
-        """Whether the first probe of the blast is that of the scene beside the
-        body, and not one of the user's."""
+        """Whether the first probe of the blast is that of the scene next to
+        the body, and not one of the user's."""
         return self.scene.get("probe_beside_body") is not None
 
     def _is_trunk_far(self):
@@ -163,7 +163,7 @@ class Files:
         return bool(apart) and min(apart) > 1.15 * self.scene["distance"]
 
     def compared(self):
-        """Rows beside the tables, without the lungs of a far trunk."""
+        """Rows against the tables, without the lungs of a far trunk."""
         return [row for row in self.scene.get("table_comparison", [])
                 if not (self.trunk_is_far and row["name"].startswith("lung_"))]
 
@@ -174,7 +174,7 @@ class Files:
         return OF_SKIN[key], self.skin[key]
 
     def least_part_of_load(self, name):
-        """What a second wave may leave of a load on lungs, as a part."""
+        """Part of a load on lungs that a second wave may leave."""
         phases = self.least_at_probe if name in OF_AIR else (
             self.least_phases.get(self.side) and (
                 self.places[self.side]["positive phase"],
@@ -186,8 +186,8 @@ class Files:
             *phases, float(self.entry("blast", "Body mass")))
 
     def _lungs_by_the_skin(self, skin):
-        """Replaces the wave beside a person by the load on the trunk where that
-        is far or no probe is beside the person."""
+        """Replaces the wave next to a person by the load on the trunk where
+        that is far or no probe is next to the person."""
         is_person = "posture" in self.scene.get("person", {})
         if is_person and ("lung_exposure", self.side) in skin and (
                 self.trunk_is_far or not self.has_probe_at_body()):
@@ -250,7 +250,7 @@ def gauges_of(output, stage):
 
 def of_skin(skin, side):
     """By title: the value of an injury at the gauges, of chest and back at one
-    side, or at the probe beside the body, and its name."""
+    side, or at the probe next to the body, and its name."""
     rows = {}
     for (measure, place), value in skin.items():
         if measure == "eardrum_rupture" and place.endswith("ear"):
@@ -346,8 +346,8 @@ def require_error(text, title, name, value, files):
 
 
 def _bounds(title, name, value, files):
-    """Of what lies between 0 and 1: the ends of its error, by the curve of a
-    probability; None of anything else."""
+    """Ends of the error of a value between 0 and 1, by the curve of a
+    probability; None for anything else."""
     error = _error(name, value, files)
     if error is None:
         return None
@@ -368,9 +368,9 @@ def _bounds(title, name, value, files):
 
 
 def _error(name, value, files):
-    """Of the coarser run: sizes differ by 2 and 5/3, errors are of order 0.7
-    and at least 2 %; what depends on the chest's peak differs by at least as
-    much as its error, what happens in the body by that of its impulse, a
+    """Error by the coarser run: sizes differ by 2 and 5/3, errors are of order
+    0.7 and at least 2 %; what depends on the chest's peak differs by at least
+    as much as its error, what happens in the body by that of its impulse, a
     probability by the error of what it follows from."""
     if name not in files.coarser or value == 0.:
         return None
@@ -397,7 +397,7 @@ def _error(name, value, files):
 
 
 def _load_difference(files):
-    """Of the impulse on the elements from the recorded one, along that."""
+    """Deviation of the impulse on the elements along the recorded one."""
     checks = values_of(files.summary["biomechanics"], "checks")
     recorded, mapped = ([checks.get(f"loads_{name}_impulse_{axis}", 0.)
                          for axis in "xyz"] for name in ("recorded", "mapped"))
@@ -482,7 +482,7 @@ ON_SKIN = {"reflected_overpressure": "peak", "reflected_impulse": "impulse",
 
 
 def check_tables(page, files):
-    """This run beside the tables, as scene.json has it and the blast has found
+    """This run against the tables, as scene.json has it and the blast found
     it: the same value in all."""
     told = files.compared()
     if not told:
@@ -745,7 +745,7 @@ def check_gauges(page, files):
 
 
 def _gauge_errors(files, name):
-    """Of a measure at each place, of order 0.7; at least their median and 2 %."""
+    """Errors by place, of order 0.7; at least their median and 2 %."""
     factor = 1. / (2. ** 0.7 - 1.)
     coarser = {place: measures[name] for place, measures
                in files.coarser_places.items() if not math.isnan(measures[name])}
@@ -782,7 +782,7 @@ def _check_gauge_errors(rows, files):
 
 
 def check_events(page, files):
-    """What is told of a place at several places of the report is the same."""
+    """Several sections of the report say the same of a place."""
     if not files.gauges:
         return 0
     events = page.table("Events over time").records()
@@ -889,7 +889,7 @@ def check_audit(page, files):
             count += 1
         require(row["holds"] == {None: "not judged", True: "yes", False: "no"}[
             told["holds"] if told["limit"] else None], f"{row}, {told}")
-    # What is not in the table of the scene has one of its own.
+    # Items that the table of the scene lacks have one of their own.
     told = {row["item"].replace(" ", "_") for row in rows}
     if not told.issuperset(known):
         rows += page.table(section,

@@ -1,7 +1,7 @@
-"""What tests of stopped, killed and resumed runs prove; kinds of run_case.py.
+"""Tests of stopped, killed and resumed runs; kinds of run_case.py.
 
-Each goes on from a checkpoint, must not compute again what was before it, and
-must leave what the straight run has left.
+Each continues from a checkpoint, must not compute again what was before it,
+and must leave what the straight run has left.
 """
 
 import glob
@@ -14,7 +14,7 @@ from case import (check_bound, checkpoints, compare_bytes, compare_numbers,
                   expand, read_json, read_summary, require)
 
 LIMIT = "Time/Largest number of steps"
-# What a summary says of the whole way, whatever its starts.
+# Sections of a summary on the whole run, whatever its starts.
 SKIPPED = ("skipped_updates", "quiet_elements")
 WHOLE = ("conservation", "errors", "results", "checks", "assumptions",
          "warnings")
@@ -61,7 +61,7 @@ def judge(case, straight, output, state, ranks):
     made = two["performance"]["updates"] - state["updates"]
     print(f"{made:.0f} updates after the checkpoint, {whole:.0f} straight "
           "through")
-    # A resumed run finds anew which leaves are at rest; it may skip more.
+    # A resumed run finds again which leaves are at rest; it may skip more.
     require(0.5 * rest < made <= (1. + 1e-9) * rest < whole,
             f"{made:.0f} updates were made after the checkpoint instead of at "
             f"most {rest:.0f}")
@@ -93,7 +93,7 @@ def are_equal(one, two):
 
 
 def without_skipping(summary):
-    """What is of the whole way, but for the fraction of skipped updates."""
+    """Sections on the whole run, but for the fraction of skipped updates."""
     skipped = {"checks": SKIPPED, "assumptions": "quiet_leaves"}
     return {key: {name: value for name, value in summary[key].items()
                   if name not in skipped.get(key, ())}

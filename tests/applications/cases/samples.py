@@ -70,7 +70,7 @@ def read_hdf5(path):
 
 
 def flaw(values, may_miss):
-    """What is wrong with the numbers of an array; empty if nothing is."""
+    """Flaw of the numbers of an array; empty if there is none."""
     if isinstance(values, list):
         return ""
     if values.size == 0:

@@ -1,4 +1,4 @@
-"""What tests of the application `scene` prove; kinds of run_case.py."""
+"""Tests of the application `scene`; kinds of run_case.py."""
 
 import glob
 import html
@@ -63,8 +63,8 @@ def require_charge(output):
 
 
 def require_own_names(output):
-    """What was taken for granted is decided by entries as the scene calls
-    them, of a stage only where the scene has none."""
+    """Assumptions are decided by entries as the scene calls them, by those of
+    a stage only where the scene has none."""
     wanted = {"symmetry": "Scene/Symmetry", "rigid_body": "",
               "viscosity": "Scene/End time", "gravity": "Scene/End time",
               "reflection": "Scene/End time",
@@ -123,7 +123,7 @@ def require_own_thresholds(case, output):
 
 
 def mesh_density(output, tissue):
-    """Of the mesh that anatomy made [kg/m^3]."""
+    """Density of a tissue in the mesh that anatomy made [kg/m^3]."""
     row = next(row for row in read_rows(output, "anatomy", "quality.csv")
                if (row["kind"], row["name"]) == ("tissue", tissue))
     return float(row["mass [kg]"]) / float(row["volume [m^3]"])
@@ -228,7 +228,7 @@ def scene_own_mesh(case):
     require(measures and all(entry["least"] is None for entry in measures),
             f"errors are known: {measures}")
     page = html.unescape(read_bytes(output, "report.html").decode())
-    # In the answer, below it and beside the coarser run.
+    # In the answer, below it and next to the coarser run.
     require(page.count("your own hexahedra have no coarser mesh") == 3,
             "the report does not say why")
 
@@ -338,7 +338,7 @@ def went_on(output, straight, stage, state):
         whole, summary["performance"]["updates"]))
     print(f"{stage}: {made:.0f} updates after the checkpoint, {whole:.0f} "
           "straight through")
-    # A resumed run finds anew which leaves are at rest; it may skip more.
+    # A resumed run finds again which leaves are at rest; it may skip more.
     require(made <= (1. + 1e-6) * rest < whole,
             f"{stage} made {made:.0f} updates instead of {rest:.0f}")
 
@@ -353,8 +353,8 @@ def is_started(record, since):
 
 
 def scene_sigkill(case):
-    """Killed three times in each stage and resumed, a scene goes on from the
-    last checkpoint each time and ends with the same loads and injuries as
+    """Killed three times in each stage and resumed, a scene continues from
+    the last checkpoint each time and ends with the same loads and injuries as
     without; a checkpoint of another build is refused and kept."""
     straight = case.straight(1)
     output = case.folder("killed")
@@ -366,7 +366,7 @@ def scene_sigkill(case):
         if stage == STAGES[0]:
             continue
         refuses_other_key(case, output, stage, extra)
-        # What comes next finishes this stage.
+        # The next call finishes this stage.
         if stage == STAGES[-1]:
             case.run(output, extra)
         else:
@@ -399,8 +399,8 @@ def refuses_other_key(case, output, stage, extra):
 
 def scene_parallel_sigkill(case):
     """Killed once in the blast and once in biomechanics on each of the first
-    two of --ranks, a scene goes on from the last checkpoint and ends with the
-    same injuries."""
+    two of --ranks, a scene continues from the last checkpoint and ends with
+    the same injuries."""
     for ranks in case.options.ranks[:2]:
         straight = case.straight(ranks)
         output = case.folder(f"killed_on_{ranks}")
@@ -449,7 +449,7 @@ def no_room(case, folder, extra, ranks, limits, reason):
 def scene_full_disk(case):
     """Files that may not grow as large as they must, on the last of --ranks, then
     a disk that fills, on 1 and each of --ranks: exit code 3 and one line each;
-    the scene goes on once there is room."""
+    the scene continues once there is room."""
     full_disk.enter_namespace()
     full = "No space left on device" if full_disk.NAMESPACE in os.environ \
         else "File too large"

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Contrecoup authors
-"""Least positive phases before second waves, worked out anew from the files of a
-scene and its coarser run."""
+"""Least positive phases before second waves, worked out again from the files
+of a scene and its coarser run."""
 
 import math
 import os
@@ -30,8 +30,8 @@ def first_dip(times, values, arrival, phase, peak):
 
 
 def least_phase(waves):
-    """Of the arguments of first_dip() in both runs, None for a run without;
-    None where the phase stands."""
+    """Least phase by the arguments of first_dip() in both runs, None for a run
+    without; None where the phase stands."""
     fine, coarse = waves
     dips = [wave and first_dip(*wave) for wave in waves]
     if dips[0]:
@@ -89,7 +89,7 @@ def at_probe(output):
 
 
 def part_of_load(phase, least, mass):
-    """What a shorter phase leaves of Bowen's load at sea level, as a part."""
+    """Part of Bowen's load at sea level that a shorter phase leaves."""
     lethal = [1. + 6.76 * (1e3 * time * (70. / mass) ** (1. / 3.)) ** -1.064
               for time in (phase, least)]
     return lethal[0] / lethal[1]

@@ -1,4 +1,4 @@
-"""What tests of the application `study` prove; kinds of run_case.py."""
+"""Tests of the application `study`; kinds of run_case.py."""
 
 import glob
 import os
@@ -243,7 +243,7 @@ def study_quota(case):
     told_once(err, "standard output")
     for ranks in (1, *case.options.ranks):
         folder = case.folder(f"run_on_{ranks}")
-        # Of 100 leaves there are many steps to tell of.
+        # Runs of 100 leaves have many steps to tell of.
         one_of_two(case, folder, ranks, "File too large", lambda:
                    full_disk.limit_files(100 << 10, ignore=False))
     if full_disk.NAMESPACE not in os.environ:

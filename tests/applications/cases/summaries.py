@@ -19,8 +19,8 @@ def values_of(summary, group):
 
 
 def flaw_of(path):
-    """What in a summary.json or scene.json its schema in applications/schemas
-    does not allow, in words; "" for nothing."""
+    """Violation of its schema in applications/schemas by a summary.json or
+    scene.json, in words; "" for none."""
     name = os.path.splitext(os.path.basename(path))[0] + ".schema.json"
     with open(os.path.join(SCHEMAS, name), encoding="utf-8") as file:
         schema = json.load(file)

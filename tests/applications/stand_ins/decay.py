@@ -38,7 +38,7 @@ def refuse(message, code=1):
 
 
 def lines_of(path):
-    """Of a file and of those that it includes."""
+    """Lines of a file and of those that it includes."""
     lines = []
     for line in open(path).read().splitlines():
         lines += lines_of(line[len("include "):]) \
@@ -80,7 +80,7 @@ def check_each(files):
 
 
 def require_known(run):
-    """Of a checkpoint of another build only format and entries matter."""
+    """Only format and entries matter in a checkpoint of another build."""
     builds = f"of {run['version']} ({run['git_revision']}), not of {BUILD}"
     if run["format"] != 1 and not flawed("gullible"):
         refuse("the checkpoint has another format, it is " + builds)
@@ -177,7 +177,7 @@ def size_domain():
 
 
 def check():
-    """What --check says."""
+    """Prints the answer to --check."""
     if flawed("silent"):
         return
     if flawed("thoughtless"):

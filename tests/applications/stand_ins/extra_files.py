@@ -1,5 +1,5 @@
-"""What the stand-in decay.py leaves besides its history: files like those of
-an application, of which the judges of run_case.py know the answer. The entry
+"""Files of the stand-in decay.py besides its history, like those of an
+application, of which the judges of run_case.py know the answer. The entry
 "Writes" names one of WRITERS, "Flaw" what is wrong with it."""
 
 import csv

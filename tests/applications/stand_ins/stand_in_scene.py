@@ -16,7 +16,7 @@ ENTRIES = {"Flaw": "none", "Tissues/Set": "first", "Pause": "0.4", "Large": "",
            "Biomechanics/Energy audit/Largest hourglass part": "1"}
 
 
-# Of what it takes for granted, and the entries that decide otherwise.
+# Assumptions, and the entries that decide otherwise.
 OWN_NAMES = {"symmetry": "Scene/Symmetry", "rigid_body": "",
              "viscosity": "Scene/End time", "gravity": "Scene/End time",
              "reflection": "Scene/End time",
@@ -51,7 +51,7 @@ def read(*names):
 
 
 def key_of(stage):
-    """What a stage depends on."""
+    """Key of the entries that a stage depends on."""
     if stage == "biomechanics" or flaw == "forgetful":
         return entries["Tissues/Set"]
     return "scene"
