@@ -134,7 +134,7 @@ class Browser:
         address = "file://" + os.path.abspath(path)
         self.call("Page.navigate", url=address)
         self.wait_for("Page.loadEventFired")
-        # What the page still has to say, it says before this answer.
+        # The page's last messages come before this answer.
         self.evaluate("document.fonts.ready.then(() => new Promise("
                       "done => requestAnimationFrame(() => done(0))))")
         return _complaints(self.events), _requests(self.events, address)

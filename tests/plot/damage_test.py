@@ -254,7 +254,7 @@ class DamageTest(unittest.TestCase):
         self.assertGreater(self.count, 50)
 
     def refuse(self, name, content, what, read=read_arrays):
-        """What the sections of a report read is one line about the file."""
+        """Sections of a report refuse the file in one line about it."""
         self.count += 1
         path = os.path.join(self.whole, name)
         with open(path, "rb") as file:

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Contrecoup authors
 """Compares the figures of the report on a head with the files of its run, to
-the digits that are shown. The figures are worked out here anew, from the files
-alone, and each measure of injury from the history as well."""
+the digits that are shown. The figures are worked out here again, from the
+files alone, and each measure of injury from the history as well."""
 
 import re
 
@@ -18,7 +18,7 @@ GRAVITY = 9.80665
 
 
 class Files:
-    """What a run left."""
+    """Files that a run left."""
 
     def __init__(self, output):
         self.output = output
@@ -47,8 +47,8 @@ def crossing(time, values):
 
 def filtered(time, values):
     """Times and values after the filter of SAE J211/1, appendix C, for channel
-    frequency class 1000, at equal intervals; the record goes on beyond its ends
-    as its point reflection."""
+    frequency class 1000, at equal intervals; the record continues beyond its
+    ends as its point reflection."""
     count = max(len(time), int(np.ceil((time[-1] - time[0]) / 1e-4)) + 1)
     times = np.linspace(time[0], time[-1], count)
     at = np.interp(times, time, values)
@@ -81,8 +81,8 @@ def gained_speed(history, tissue):
 
 
 def head_injury_criterion(time, speed, longest):
-    """Of the speed gained until each time: the largest over all pairs of
-    times."""
+    """Criterion from the speed gained until each time: the largest over all
+    pairs of times."""
     largest = 0.
     for i, begin in enumerate(time):
         for j in range(i + 1, len(time)):
@@ -268,7 +268,7 @@ def check_injury(page, files):
 
 
 def check_paper(page, files):
-    """Statements beside what was found: figures that the history has; the
+    """Statements against what was found: figures that the history has; the
     paper's head was no file."""
     if files.is_file:
         require(all(table.section != "Against the paper"

@@ -46,7 +46,7 @@ UNCHECKED = "largest mean over"
 
 
 class Made:
-    """What plot.py head made of a folder, with figures painted roughly."""
+    """Output of plot.py head on a folder, with figures painted roughly."""
 
     def __init__(self, folder):
         with contextlib.redirect_stdout(io.StringIO()), \
@@ -193,7 +193,7 @@ class CutTest(unittest.TestCase):
         self.assertAlmostEqual(self.area(polygons), 0.75 * np.sqrt(3.))
 
     def test_run(self):
-        """Of the quarter of a ball of 91 mm that the run has, in all directions,
+        """Cuts of the run's quarter of a ball of 91 mm, in all directions,
         away from faces of cells: cells have straight edges."""
         run = head_run.HeadRun(OUTPUT)
         if not run.is_layered():
@@ -207,7 +207,7 @@ class CutTest(unittest.TestCase):
             self.assertGreater(self.area(polygons), 0.97 * circle)
 
     def test_motion_of_the_skull(self):
-        """Of a head that moves and turns as a rigid body nothing is left, be
+        """A head that moves and turns as a rigid body has no motion left, be
         its fields of cells or of particles."""
         run = head_run.HeadRun(OUTPUT)
         run.mirrors = [1]
@@ -256,7 +256,7 @@ class CutTest(unittest.TestCase):
 
 
 class WarningsTest(unittest.TestCase):
-    """What a run warned of stands on the first screen."""
+    """Warnings of a run stand on the first screen."""
 
     def test_words(self):
         silent, warned = (types.SimpleNamespace(summary=summary) for summary in
@@ -268,7 +268,7 @@ class WarningsTest(unittest.TestCase):
 
 
 class AnswerTest(unittest.TestCase):
-    """What the first screen says of thresholds of the user's own."""
+    """The first screen judges by thresholds of the user's own."""
 
     def test_own_thresholds(self):
         run = head_run.HeadRun(OUTPUT)
@@ -333,12 +333,12 @@ class AnswerTest(unittest.TestCase):
 
 
 class ParticlesTest(unittest.TestCase):
-    """What only a run of particles has, as a report says it."""
+    """Statements of a report that only a run of particles has."""
 
     @staticmethod
     def run_of(force="0", **parameters):
-        """Of 10 J at the start: 2 J given back beyond what was stored, 1 J of
-        planes besides friction."""
+        """A run of 10 J at the start gives back 2 J beyond what was stored;
+        planes do 1 J besides friction."""
         history = {"kinetic_energy": np.array([10., 5.]),
                    "internal_energy": np.array([0., -1.]),
                    "stored_energy": np.array([0., 1.]),
@@ -471,7 +471,7 @@ class PickedTest(unittest.TestCase):
                           for cut in run.picked_flow(flow)], [1.8, 4.])
 
     def test_doubles(self):
-        """Of two states in one output, and of a contact that goes on."""
+        """Two states in one output, and a contact that continues."""
         run = Struck(**{**self.IMPACT, "peak_contact_force_time": 2.78e-3,
                         "rebound": 2.71e-3})
         self.assertEqual(self.times(run), [1.2, 2., 2.8, 4.])

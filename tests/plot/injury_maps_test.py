@@ -81,7 +81,7 @@ class InjuryMapsTest(unittest.TestCase):
                       "1.27 m², unknown on a further 0.250 m²)", told())
 
     def test_groups(self):
-        """Injuries stand beside the maps of the blast, where there are any."""
+        """Injuries, where there are any, stand next to maps of the blast."""
         groups = self.maps(fields())
         self.assertEqual(set(groups["gauges_plane_1"]), set(fields()))
         self.assertTrue(injury_maps.are_in(groups["gauges_plane_1"]))

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Contrecoup authors
-"""What is wrong with the labels of figures: those that are too small on a page
+"""Flaws of the labels of figures: those that are too small on a page
 and those that overlap."""
 
 import contextlib
@@ -11,7 +11,7 @@ from matplotlib.text import Text
 
 LEAST_POINTS = 8.
 PAGE = 1004. / 96.  # inches, width of a report in a wide window
-# Of the area of the smaller box, which is larger than its letters.
+# Part of the area of the smaller box, which is larger than its letters.
 MOST_COMMON = 0.05
 
 

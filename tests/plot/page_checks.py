@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Contrecoup authors
-"""What a report must be in a browser, on screens and on paper:
+"""Checks a report in a browser, on screens and on paper:
 page_checks.py REPORT.html prints what is wrong with it."""
 
 import os
@@ -13,16 +13,16 @@ import sys
 import browser
 
 WIDTHS = (1200, 920, 800, 400)
-# Of a page's height, above its lowest mark; the last page may end anywhere.
+# Part of a page's height above its lowest mark; the last may end anywhere.
 LEAST_FILL = 0.5
 LEAST_MEAN_FILL = 0.75
 
-# Of its own size in points, below which a picture's labels of 10 points are
+# Part of its size in points, below which a picture's labels of 10 points are
 # smaller than 8.
 LEAST_SIZE = 0.8
 
 # Elements that stick out of the window, or whose content sticks out of them.
-# What is cut off or can be scrolled counts as well: it cannot be read at once.
+# Cut or scrolled content counts as well: it cannot be read at once.
 TOO_WIDE = """
 [...document.querySelectorAll("body, body *")].filter(element => {
   const box = element.getBoundingClientRect();
@@ -113,7 +113,7 @@ def _plain(text):
 
 
 def fills(paper):
-    """Of each page of a PDF the part of its height above its lowest mark."""
+    """Part of the height of each page of a PDF above its lowest mark."""
     run = subprocess.run(["pdftoppm", "-r", "24", "-gray", paper],
                          capture_output=True, check=True)
     found, rest = [], run.stdout
@@ -129,8 +129,7 @@ def fills(paper):
 
 
 def paper_faults(paper, folded=()):
-    """What is wrong with a PDF: pages, and texts of @p folded that are not
-    on it."""
+    """Flaws of a PDF: pages, and texts of @p folded that are not on it."""
     found = fills(paper)
     print(f"{len(found)} pages, filled to "
           + ", ".join(f"{fill:.2f}" for fill in found))

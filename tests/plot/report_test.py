@@ -57,7 +57,7 @@ class Columns(dict):
 
 
 class Made:
-    """What a call of plot.py report on a folder gave."""
+    """Output of a call of plot.py report on a folder."""
 
     def __init__(self, folder, paints=False):
         """Where words alone are looked at, figures are painted roughly."""
@@ -379,7 +379,7 @@ class ReportTest(unittest.TestCase):
         self.assertNotIn("front chest wall velocity", words)
 
     def test_load_on_the_side(self):
-        """Of a person who turns a side to the charge, that of the upper arm."""
+        """For a person side-on to the charge, it is that of the upper arm."""
         folder = self.copy_without("biomechanics/fields.pvd", "blast/fields")
         for stage, arm in (("blast", 0.5), ("coarser_blast", 0.45)):
             path = os.path.join(folder, stage, "gauge_injury.csv")
@@ -389,7 +389,7 @@ class ReportTest(unittest.TestCase):
                 f"{measure},left upper arm,{value},{unit},definition\n"
                 for measure, value, unit in (("lung_exposure", arm, "-"), (
                     "chest_wall_velocity", 12., "m/s"))))
-        # Of one who faces it, an arm is no side of the trunk.
+        # For one who faces it, an arm is no side of the trunk.
         self.expect(text_of(Made(folder).page),
                     "chest load over the 50 % lethality load 0.264")
         change_json(folder, "scene.json", lambda facts: facts["person"].update(
@@ -558,7 +558,7 @@ class ReportTest(unittest.TestCase):
             self.assertIn(words, told(**changes)[0])
 
     def test_phase_that_the_end_cuts(self):
-        """Is said beside the tables, with what follows from it."""
+        """It is said next to the tables, with what follows from it."""
         for known in ({}, {"probe_1_cut_off": 1.}):
             scene = Scene(self.whole)
             scene.blast.found = lambda _, name: known.get(name)
@@ -576,7 +576,7 @@ class ReportTest(unittest.TestCase):
             self.assertEqual(
                 [row[1].startswith("≥") for row in headline._compared(scene)],
                 [False, True])
-        # Of each probe, where a difference would be that of the run's end.
+        # Probes have no difference that would be that of the run's end.
         figures = {f"probe_{number}_{kind}{name}": 2. + (kind == "")
                    for number in (1, 2) for kind in ("", "reference_")
                    for name in ("impulse", "arrival", "duration")}
@@ -665,7 +665,7 @@ class ReportTest(unittest.TestCase):
                           for number in (1, 2)], [2., 3.])
 
     def test_round_off_of_pressures(self):
-        """What round-off leaves before the wave is no pressure."""
+        """Round-off before the wave is no pressure."""
         folder = self.copy_without()
         path = os.path.join(folder, "biomechanics", "probes.csv")
         table = tables.Table(path)
@@ -697,12 +697,12 @@ class ReportTest(unittest.TestCase):
         self.assertEqual(errors["d"], {})
 
     def test_brain_of_the_answer(self):
-        """What exceeds a threshold, in words."""
+        """Exceeded thresholds are told in words."""
         self.expect(self.text, "; brain: fluid may cavitate, HIC15 above the "
                     "limit of road traffic.")
 
     def test_error_of_the_brain_belongs_to_its_measure(self):
-        """What the numerics leave uncertain is said of this measure alone."""
+        """Uncertainty by the numerics is said of its own measure alone."""
         names = ("injury_intracranial_pressure_lowest", "injury_hic15")
         for values, errors, words in (
                 ((-2e5, 500.), (0.84, 0.1),
@@ -724,7 +724,7 @@ class ReportTest(unittest.TestCase):
                 name, value, "", injury_thresholds.KNOWN[name], error, "")
                       for name, value, error in zip(names, values, errors)]
             self.assertEqual(str(verdict._brain(judged)), "brain: " + words)
-        # What gives no verdict may exceed a threshold all the same.
+        # A measure without a verdict may exceed a threshold all the same.
         name = "injury_intracranial_pressure_peak"
         judged.append(injury_table.Judged(
             name, 1.76e5, "Pa", injury_thresholds.KNOWN[name], None, ""))
@@ -886,7 +886,7 @@ class ReportTest(unittest.TestCase):
             "step 1234 (5.00\u00a0ms)")
 
     def test_size_of_a_coarser_stage(self):
-        """Of its own summary; a dash without one."""
+        """The size is that of its own summary; a dash without one."""
         folder = self.copy_without()
         tiny_scene.write(
             os.path.join(folder, "coarser_blast", "summary.json"),
@@ -1218,7 +1218,7 @@ class ReportTest(unittest.TestCase):
         style.plt.close(figure)
 
     def test_walls_in_the_drawing(self):
-        """To scale within the picture, arrows to those beyond, words beside
+        """To scale within the picture, arrows to those beyond, words off
         the plane of the picture, and none of an open side."""
         style.set_up()
         for side, place, patches, words in (
@@ -1292,8 +1292,8 @@ class ReportTest(unittest.TestCase):
                          "wall)")
 
     def test_ears_by_the_tables(self):
-        """What the tables contradict has neither the words nor the mark of good
-        news; an answer within the bounds contradicts nothing."""
+        """A finding that the tables contradict is neither worded nor marked as
+        good news; an answer within the bounds contradicts nothing."""
         known = injury_thresholds.KNOWN["ear_rupture"]
         scene = types.SimpleNamespace(
             loads=lambda: None, fact=lambda name: None, measures=dict,
@@ -1493,7 +1493,7 @@ class ReportTest(unittest.TestCase):
         self.assertLess(max(map(len, lines)), 79)
 
     def test_second_peak(self):
-        """What is below the ambient pressure, or where the run ends, is no
+        """A value below the ambient pressure, or where the run ends, is no
         peak."""
         time = np.linspace(0., 10., 1001)
         for level, end, found in ((-0.5, -1., False), (0.5, -1., True),
@@ -1559,12 +1559,12 @@ class ReportTest(unittest.TestCase):
                     "wall velocity and chest load")
 
     def test_probability(self):
-        """Of a verdict, with the interval of the numerical error."""
+        """A verdict has one, with the interval of the numerical error."""
         self.expect(self.text, "head injury of AIS 2 or worse: 44 % (43 to "
                     "45 %)")
 
     def test_items_of_the_answer(self):
-        """What could change it, in plain words."""
+        """Items that could change it are told in plain words."""
         self.expect(
             self.text, "Beside the body, the peak overpressure is "
             "15 % below and the impulse is 32 % below the tables of Kingery and "
@@ -1656,7 +1656,7 @@ class ReportTest(unittest.TestCase):
             "opposite sides cancel, 99.0 N s on the elements",
             " ".join(accuracy._checks(scene)).replace("\xa0", " "))
         self.assertEqual(headline._loads(scene), [])
-        # What is left is twice as much on the elements.
+        # The push left on the elements is twice the recorded one.
         for recorded, mapped, difference in ((6., 12., 1.), (0., 1., math.inf),
                                              (0., 0., 0.)):
             checks.update(loads_largest_recorded_push=recorded,
@@ -1673,7 +1673,7 @@ class ReportTest(unittest.TestCase):
                     "is largest, 12.0 N s on the elements")
 
     def test_errors_have_that_of_the_loads(self):
-        """What happens in the body is no better known than its impulse, even if
+        """Results in the body are known no better than its impulse, even if
         both runs agree."""
         folder = self.copy_without("blast/fields", "biomechanics/fields.pvd")
         path = os.path.join(folder, "biomechanics", "summary.json")
@@ -1703,7 +1703,7 @@ class ReportTest(unittest.TestCase):
         self.assertEqual(told(), "")
 
     def test_no_afterburn(self):
-        """Of a balanced explosive: no sentence on effects of nothing."""
+        """A balanced explosive has no sentence on effects of nothing."""
         row = {"item": "afterburn", "decision": "left out, by explosive"}
         rows = [row] + [{"item": f"afterburn_{name}", "estimate": "0"}
                         for name in ("peak", "impulse")]
@@ -1711,7 +1711,7 @@ class ReportTest(unittest.TestCase):
             list_of=lambda name: rows if name == "audit" else [])
         self.assertEqual(headline._afterburn(scene), [
             "The run has no afterburn: the explosive's own oxygen burns it."])
-        # Of the user's own explosive the oxygen is unknown.
+        # The oxygen of a user's own explosive is unknown.
         row["decision"] = ("left out by the values of ANFO (Like); it is "
                            "unknown for this explosive")
         for effect in rows[1:]:
@@ -1752,7 +1752,7 @@ class ReportTest(unittest.TestCase):
             "peak by at most 28 %")
 
     def test_nothing_is_judged_without_a_limit(self):
-        """No "yes" beside a number without a limit, whatever the file says."""
+        """No number without a limit has a "yes", whatever the file says."""
         section = self.page[self.page.index("Assumptions</h2>"):]
         rows = re.findall("<tr>(?:<td.*?</td>)+</tr>",
                           section[:section.index("</section>")])
@@ -1779,7 +1779,7 @@ class ReportTest(unittest.TestCase):
                     "error unknown")
 
     def test_errors_that_are_unknown(self):
-        """Each verdict counts, also one whose error is unknown beside others."""
+        """Each verdict counts, also one of unknown error among others."""
         def entry(name, certain):
             return types.SimpleNamespace(
                 name=name, has_verdict=True, is_certain=lambda: certain,
@@ -1874,7 +1874,7 @@ class ReportTest(unittest.TestCase):
                           if not one["name"].startswith("injury_")})
         self.assertEqual({one["severity"] for one in told["measures"]
                           if one["is_lower_limit"]}, {"none"})
-        # What is exceeded already stays so.
+        # Thresholds exceeded already stay so.
         self.expect(text_of(Made(self.cut_off()).page),
                     "eardrums probably rupture (≥ 79 %",
                     "lung injury trace to moderate or worse")
@@ -1882,7 +1882,7 @@ class ReportTest(unittest.TestCase):
             "their values are lower limits", ""))
 
     def test_lungs_in_the_open_of_a_run_that_ends_early(self):
-        """The load beside the body decides where that on the skin is cut."""
+        """The load next to the body decides where that on the skin is cut."""
         folder = self.cut_off(("6.632", "1.2"))
         change_json(folder, "scene.json", lambda facts: facts.update(
             probe_beside_body=[0.008, 2.337, 1.27]))
@@ -2131,7 +2131,7 @@ class ReportTest(unittest.TestCase):
         text = text_of(Made(folder).page)
         words = ("he stage biomechanics is unfinished (stopped), at 5.10 ms of "
                  "6.00 ms: extremes")
-        # What could change the verdict, and four sections.
+        # The items that could change the verdict, and four sections.
         self.assertEqual(text.count(words), 5, text[:3000])
         self.assertNotIn("unfinished", self.text)
         change_json(folder, "scene.json", lambda facts: facts.update(
@@ -2257,7 +2257,7 @@ class ReportTest(unittest.TestCase):
             self.assertEqual(np.count_nonzero(shown), np.count_nonzero(
                 shown.any(axis=0)) * np.count_nonzero(shown.any(axis=1)))
         self.assertEqual(views.bare_part(), 0.)
-        # What small patches leave open on a side is skin with gas.
+        # Gaps that small patches leave on a side are skin with gas.
         with h5py.File(path, "a") as file:
             file["area"][:] = 3.
         views = body_views.BodyViews(loads.Loads(path), [])
@@ -2345,7 +2345,7 @@ class ReportTest(unittest.TestCase):
         spots = {(2, "back"): (0.1, 1.2), (1, "arm"): (0.2, 1.3)}
 
         class Views:
-            """Of sides that show few places."""
+            """Views whose sides show few places."""
             @staticmethod
             def spot(side, place, even_hidden=False):
                 return (0.3, 1.) if even_hidden else spots.get((side, place))

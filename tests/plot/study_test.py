@@ -52,7 +52,7 @@ class StudyPicturesTest(unittest.TestCase):
             return save.call_args[0][0] if save.called else None
 
     def test_lower_limits(self):
-        """What the end of a run cuts off has an arrow, in curves and charts."""
+        """Values cut off by the end of a run have arrows in curves and charts."""
         cut = study()
         cut["rows"][4]["lower_limits"] = [True, False]
         axis, = self.drawn(study_curves.draw_curves, cut).axes
@@ -85,7 +85,7 @@ class StudyPicturesTest(unittest.TestCase):
         self.assertIn("1 of 12 runs", figure._suptitle.get_text())
 
     def test_probabilities(self):
-        """What hardly ever happens is zero on the axis, not a power of ten."""
+        """Tiny probabilities are zero on the axis, not powers of ten."""
         found = study()
         for row in found["rows"]:
             row["columns"][0] = math.exp(-8. * row["numbers"][0])

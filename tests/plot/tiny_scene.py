@@ -13,8 +13,8 @@ BEGIN = 1.8e-3  # s, arrival at the body
 TIMES = np.linspace(0., 6e-3, 241)
 GAUGES = {"forehead": (0.09, 0., 1.7, 5e5), "chest": (0.12, 0., 1.3, 9e5),
           "back": (-0.12, 0., 1.25, 2e5), "left ear": (0., 0.08, 1.65, 1.75e5)}
-# What blast finds of these pulses for a man of 78.5 kg (tests/numerics has the
-# chest's), by measure and place: value, unit.
+# Injuries of a man of 78.5 kg by blast from these pulses (tests/numerics has
+# the chest's), by measure and place: value, unit.
 HARM = {("chest_wall_velocity", "chest"): (10.842, "m/s"),
         ("chest_wall_velocity", "back"): (2.4220, "m/s"),
         ("chest_wall_velocity", "trunk"): (6.632, "m/s"),
@@ -191,7 +191,7 @@ def write_planes(folder, times):
 
 
 def write_measures(folder, gauges, factor=1., slowness=0.):
-    """What blast finds at the gauges, with their peaks times a factor."""
+    """Writes findings of blast at the gauges, with peaks times a factor."""
     begin = {name: BEGIN + max(0., -slowness * x)
              for name, (x, *_) in gauges.items()}
     write(os.path.join(folder, "gauge_measures.csv"),
@@ -402,7 +402,7 @@ COARSER = {"injury_intracranial_pressure_peak": 0.9, "injury_strain_95": 0.5}
 
 
 def write_coarser(folder):
-    """What the report reads of the run with larger cells and elements."""
+    """Writes the report's input of the run with larger cells and elements."""
     blast = os.path.join(folder, "coarser_blast")
     write_measures(blast, GAUGES, 0.8)
     write_harm(blast, 0.9)
