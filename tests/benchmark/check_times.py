@@ -49,7 +49,7 @@ def call(program, file, settings, *arguments):
 
 
 def predicted_over_needed(blast, file, settings):
-    """Of the processor time of a run."""
+    """Ratio of predicted to needed processor time of a run."""
     with tempfile.TemporaryDirectory() as folder:
         os.environ["XDG_CACHE_HOME"] = folder
         call(blast, file, settings, "--check")

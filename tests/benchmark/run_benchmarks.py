@@ -4,8 +4,8 @@
 """Runs benchmark programs and collects what they measure.
 
 run_benchmarks.py CSV PROGRAM... : each program, with arguments after blanks,
-prints rows 'name,value,unit' on stdout. CSV gets all of them; beside it stands a Markdown table, which is
-printed as well.
+prints rows 'name,value,unit' on stdout. CSV gets all of them; a Markdown table
+next to it has them as well and is printed.
 """
 
 import csv

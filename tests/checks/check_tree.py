@@ -17,8 +17,8 @@ import subprocess
 import sys
 import tempfile
 
-# What each layer may include besides itself. Applications and the folders of
-# tests that are not named after a layer may include everything.
+# Layers that each layer may include besides itself. Applications and folders
+# of tests that are not named after a layer may include everything.
 BELOW = {"base": set()}
 BELOW["materials"] = {"base"}
 BELOW["geometry"] = {"base"}
@@ -271,8 +271,8 @@ def functions(root):
 
 
 def mirror(root):
-    """source/x/y.cc stands beside include/contrecoup/x/y.h. A long source may
-    be split into y_<topic>.cc."""
+    """source/x/y.cc mirrors include/contrecoup/x/y.h. A long source may be
+    split into y_<topic>.cc."""
     problems = []
     for path in cpp_files(root, ("source",)):
         layer = layer_of(path)
@@ -390,8 +390,8 @@ def prose(root, path):
 
 
 def anchors(root, path):
-    """What links to places in a text may name: its headings, in lower case,
-    with hyphens for blanks and without other signs."""
+    """Anchors that links to places in a text may name: its headings, in lower
+    case, with hyphens for blanks and without other signs."""
     found = set()
     for line in prose(root, path):
         if heading := re.match(r"#{1,6} +(.*)", line):
@@ -405,7 +405,7 @@ def anchors(root, path):
 
 
 def links(root):
-    """What texts link to is there: files, pictures and headings."""
+    """All targets of links in texts exist: files, pictures and headings."""
     problems = []
     for path in texts(root):
         text = "\n".join(re.sub(r"`[^`]*`", "", line)
@@ -488,7 +488,7 @@ def is_cheap(root, path, known):
 
 
 def run_clang_tidy(root, files, folders):
-    """What it finds in @p files and the headers that they include; @p folders
+    """Its findings in @p files and the headers that they include; @p folders
     are those of libraries' headers."""
     run = subprocess.run(
         [clang_tool("clang-tidy"), "--quiet", "--config-file="
@@ -504,7 +504,7 @@ def run_clang_tidy(root, files, folders):
                        run.stdout, re.M)
     if run.returncode != 0 and not found:
         raise RuntimeError(run.stdout + run.stderr)
-    # What does not compile has findings that mean nothing.
+    # Other findings in code that does not compile mean nothing.
     found = [finding for finding in found if "clang-diagnostic-error"
              in finding[2]] or found
     return {f"{os.path.relpath(os.path.join(root, path), root)}:{line}: {text}"

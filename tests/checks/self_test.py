@@ -210,8 +210,8 @@ class TreeTest(unittest.TestCase):
         self.expect("guide", "'gas'", "octree")
 
     def test_links(self):
-        """Of texts in any folder, to files and headings, over line ends; not
-        of code, other sites, builds and runs."""
+        """Links of texts in any folder, to files and headings, over line ends;
+        not of code, other sites, builds and runs."""
         here = "# Two\n\n## What `two()` is, at 1.5\n\n## Two\n"
         self.write("source/README.md", here)
         good = ("[two](source/materials/two.cc), [a\nmodule](source/README.md"

@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Contrecoup authors
 """Runs each batch file with stand-ins for srun, scontrol and the applications,
-and shows that it calls its application on a shipped file, goes on from what a
-job before has left, is queued again only where that helps, and hands options
-on."""
+and shows that it calls its application on a shipped file, continues from what
+a job before has left, is queued again only where that helps, and hands
+options on."""
 
 import glob
 import os

@@ -6,7 +6,7 @@ import subprocess
 
 
 def run(*words, **options):
-    """What a command prints; fails as it does."""
+    """Output of a command; fails as it does."""
     done = subprocess.run(words, stdout=subprocess.PIPE, text=True,
                           stderr=subprocess.STDOUT, check=False, **options)
     if done.returncode != 0:

@@ -75,7 +75,7 @@ class Mutation:
         self.targets = entry.get("targets", [])
 
     def problems(self, root):
-        """What keeps it from being put into this tree."""
+        """Reasons why it cannot be put into this tree."""
         try:
             with open(os.path.join(root, self.file), encoding="utf-8") as file:
                 count = file.read().count(self.old)
@@ -238,7 +238,7 @@ class Copy:
         return found
 
     def built(self):
-        """What ninja has built, and at last its own records of that."""
+        """Files that ninja has built, and at last its own records of that."""
         with open(os.path.join(self.build, ".ninja_log"),
                   encoding="utf-8") as file:
             names = {line.split("\t")[3] for line in file if "\t" in line}

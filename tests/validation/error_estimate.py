@@ -99,7 +99,7 @@ end
 
 
 def levels(mass):
-    """Of leaves: cells of 40, 20 and 10 mm, twice that for large charges."""
+    """Levels of cells of 40, 20 and 10 mm, twice that for large charges."""
     return (2, 3, 4) if mass < 50. else (1, 2, 3)
 
 

@@ -169,7 +169,7 @@ def bytes_in(folder):
 
 
 def found_in(folder):
-    """What a run of a solver or of anatomy needed."""
+    """Needs of a run of a solver or of anatomy."""
     summary = read_json(os.path.join(folder, "summary.json"))
     performance = summary["performance"]
     cells = performance.get("largest_cells", summary["cells"])
@@ -181,7 +181,7 @@ def found_in(folder):
 
 
 def joined(runs, output):
-    """Of several runs, one after the other."""
+    """Needs of several runs, one after the other."""
     return {"cells": max(run["cells"] for run in runs),
             "unknowns": max(run["unknowns"] for run in runs),
             "steps": sum(run["steps"] for run in runs),
