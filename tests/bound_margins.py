@@ -7,7 +7,7 @@
 
 Each row has the bound over the number (of "> ..." the number over the bound),
 the test and what it printed, those above FACTOR (default 1.1) alone, the
-tightest first. What is round-off, or single precision's, needs more room than a
+tightest first. Round-off, also of single precision, needs more room than a
 tenth, for it differs from one processor to another.
 """
 

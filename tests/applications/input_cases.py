@@ -847,8 +847,8 @@ def judge_dump(program):
 
 
 def judge_estimate(program, files):
-    """Flaw of --estimate: it lacks a warning of --check about entries, or tells
-    of lungs of who stands in the open a wrong number of times."""
+    """Flaw of --estimate: it lacks a warning of --check about entries, or
+    tells of lungs of who stands in the open a wrong number of times."""
     path = os.path.join(files, SCENE)
     for entries, said in (
             (["Charge/Distance=0.3"], 1), (["Charge/Distance=0.3",

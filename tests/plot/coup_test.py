@@ -102,7 +102,7 @@ class FactsTest(unittest.TestCase):
 
 class FilterTest(unittest.TestCase):
     def amplitude(self, frequency):
-        """Amplitude of a unit sine after the filter of 10 kHz, and its phase."""
+        """Amplitude and phase of a unit sine after the filter of 10 kHz."""
         time = np.arange(20000) * STEP
         grid, found = signals.low_pass(
             time, np.sin(2. * np.pi * frequency * time), 10e3)

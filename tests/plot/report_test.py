@@ -511,8 +511,8 @@ class ReportTest(unittest.TestCase):
 
     def test_later_wave(self):
         """Is the reflection by the plane in whose time it comes, if it is larger
-        than the incident wave; else one of all that may come. Of peaks, tables
-        are compared with the first one."""
+        than the incident wave; else one of all that may come. Tables are
+        compared with the first peak."""
         known = {"arrival": 4e-3, "duration": 3e-3, "peak_overpressure": 93e3,
                  "first_peak_overpressure": 79e3,
                  "later_peak_overpressure": 93e3, "later_peak_time": 5.2e-3,
@@ -2221,7 +2221,7 @@ class ReportTest(unittest.TestCase):
         self.assertNotIn("other tissue", words)
 
     def test_loaded_sides(self):
-        """Beside the loaded side the front, unless another has a tenth more."""
+        """The loaded side and the front, unless another has a tenth more."""
         scene = Scene(self.whole)
         views = body_views.views_of(scene.loads(), scene.blast.folder)
         front, left = views.normals[:, 0], views.normals[:, 1]

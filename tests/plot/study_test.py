@@ -52,7 +52,7 @@ class StudyPicturesTest(unittest.TestCase):
             return save.call_args[0][0] if save.called else None
 
     def test_lower_limits(self):
-        """Values cut off by the end of a run have arrows in curves and charts."""
+        """Values cut off by a run's end have arrows, in curves and charts."""
         cut = study()
         cut["rows"][4]["lower_limits"] = [True, False]
         axis, = self.drawn(study_curves.draw_curves, cut).axes
