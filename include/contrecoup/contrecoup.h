@@ -5,7 +5,7 @@
 
 /**
  * @file
- * What other programs use of Contrecoup. It precedes every header of deal.II.
+ * Header of Contrecoup for other programs. It precedes every header of deal.II.
  * applications/example is a program that uses it.
  *
  * Programs are built by CMake: `find_package(Contrecoup)` gives the target

@@ -212,7 +212,7 @@ private:
   }
 
   ColdCurve curve_;
-  /// What e_c - least e is of p_c' [-].
+  /// Ratio of e_c - least e to p_c' [-].
   double slope_share_;
 };
 } // namespace contrecoup

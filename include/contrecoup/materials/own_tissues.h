@@ -59,7 +59,7 @@ public:
     std::string in_words() const;
   };
 
-  /// What the entries of a tissue change; empty for a tissue without entries.
+  /// Changes by the entries of a tissue; empty for a tissue without entries.
   std::vector<Change> changes(Tissue tissue,
                               const SolidMaterial &library) const;
 

@@ -114,7 +114,7 @@ private:
   std::vector<bool> has_shared_nodes_; ///< by source: whether the tile has
                                        ///< nodes shared by fields
   std::vector<NodeValues> gradients_;  ///< mass gradients, by field
-  /// Of owned nodes, by field [kg].
+  /// Masses of owned nodes, by field [kg].
   std::vector<dealii::AlignedVector<double>> masses_;
   std::vector<Pair> pairs_;
 };

@@ -43,7 +43,7 @@ Outcome judge(const ProcessEnd &end,
               const std::string &folder,
               const std::string &error_file);
 
-/// What a reader of a table does not know of "retried".
+/// Explanation of "retried" for readers of a table.
 constexpr const char *retried_in_words =
   "complete; steps that failed were repeated with a smaller size";
 

@@ -16,7 +16,7 @@ struct RunOutput
 {
   double value = 0.; ///< NaN where the run could not compute it
   std::string unit;  ///< empty: none
-  /// Of a load that the end of the run cuts off.
+  /// Whether it is of a load that the end of the run cuts off.
   bool is_lower_limit = false;
 };
 
@@ -54,7 +54,7 @@ private:
                   const std::string &unit);
   void add_table(const std::string &file, const std::string &begin);
   void add(const std::string &address, double value, const std::string &unit);
-  /// Marks what grows with the load beside an output "cut off" that is 1.
+  /// Marks outputs that grow with the load next to an output "cut off" of 1.
   void mark_lower_limits();
 
   std::map<std::string, RunOutput> values_;

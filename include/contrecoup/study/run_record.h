@@ -10,9 +10,9 @@
 namespace contrecoup::study
 {
 /**
- * What a run was and what it cost. Of a scene, whose output folder has a
- * summary for each stage, numbers are the sums over its stages, and the memory
- * is the largest. NaN: not known.
+ * Facts and costs of a run. For a scene, whose output folder has a summary for
+ * each stage, numbers are the sums over its stages, and the memory is the
+ * largest. NaN: not known.
  */
 struct RunRecord
 {

@@ -49,7 +49,7 @@ private:
   /// @throws InputError for variants that the application refuses
   void require_accepted(const std::vector<VariantForecast> &forecasts) const;
   void print_costs(const std::vector<VariantForecast> &forecasts) const;
-  /// Of outcomes, which name all entries, tables and pictures [byte].
+  /// Size of outcomes, which name all entries, tables and pictures [byte].
   double size_of_own_files() const;
   bool is_reference(const Task &task) const;
   /// Name of a run for messages.

@@ -9,7 +9,7 @@
 
 namespace contrecoup::study
 {
-/// What messages call the run that errors are taken from.
+/// Name in messages of the run that errors are taken from.
 constexpr const char *reference_name = "the reference run";
 
 /// A row of the study's table.
@@ -44,7 +44,7 @@ struct StudyResult
   std::vector<Column> columns;      ///< further columns
   /// ResultRow::columns of the reference run; empty without one.
   std::vector<double> reference_columns;
-  /// Of the run that errors are taken from; empty without one.
+  /// Warnings of the run that errors are taken from; empty without one.
   std::vector<std::string> reference_warnings;
 
   /// Number of runs that did not finish.

@@ -11,7 +11,7 @@
 
 namespace contrecoup::study
 {
-/// What --check says of a variant.
+/// Report of --check on a variant.
 struct VariantForecast
 {
   std::string refusal;               ///< one line; empty: accepted
@@ -37,8 +37,8 @@ forecast_variants(const ApplicationUnderStudy &application,
                   bool with_trials);
 
 /// Sum of the forecasts of runs that are made @p slots at once, in their
-/// order: cells, unknowns and memory are those of the largest run. What is 0,
-/// unknown, of an accepted one is 0 in the sum.
+/// order: cells, unknowns and memory are those of the largest run. A figure
+/// that is 0, unknown, for an accepted one is 0 in the sum.
 CostEstimate sum_of(const std::vector<VariantForecast> &forecasts,
                     std::size_t slots);
 

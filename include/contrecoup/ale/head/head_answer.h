@@ -10,7 +10,7 @@
 
 namespace contrecoup::ale
 {
-/// What a run has found, in at most four lines for the screen: impact and
+/// Findings of a run, in at most four lines for the screen: impact and
 /// contact, pressures in the brain, strain and criterion.
 /// @param results of the run, as in the summary
 /// @param has_planes whether there are rigid planes

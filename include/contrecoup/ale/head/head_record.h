@@ -20,7 +20,7 @@
 
 namespace contrecoup::ale
 {
-/// What goes on when a run ends, so that what was recorded may still grow.
+/// Processes that continue when a run ends, so that records may still grow.
 struct RunEnd
 {
   bool contact_lasts = false;
@@ -30,8 +30,8 @@ struct RunEnd
 /**
  * Injury measures of a head, from strain and pressure in the brain, and from
  * the motion of the skull, or of the brain in a mesh without skull. Subsection
- * "Injury". What does not depend on the method: which regions count, and what
- * is recorded of them. With symmetry planes, the measures are those of the
+ * "Injury". Holds the part that does not depend on the method: which regions
+ * count, and their records. With symmetry planes, the measures are those of the
  * whole head: velocities normal to the planes are zero, and rotation is about
  * the normal of one plane.
  */
@@ -71,7 +71,7 @@ public:
     return own_;
   }
 
-  /// What goes on at @p time [s], of what the run has recorded until then.
+  /// Processes that continue at @p time [s], by the records until then.
   RunEnd end_at(const double time,
                 const ContactRecord &contact,
                 const ExtremeRecord &extremes) const;
@@ -83,8 +83,8 @@ public:
 
   /// Largest pressure in the half of the brain at the first plane (coup) and
   /// least one in the other half (contrecoup), with their times, and which of
-  /// them are lower limits, as these are at the end or go on by @p end; empty
-  /// without brain or plane. Collective.
+  /// them are lower limits, as these are at the end or continue by @p end;
+  /// empty without brain or plane. Collective.
   std::vector<NamedValue> coup(const MPI_Comm communicator,
                                const RunEnd &end = {}) const;
 

@@ -52,7 +52,7 @@ struct ImpactPlan
   double least_cost = 1.; ///< cost with all symmetry of the scene used [-]
   std::string least_cost_wedge; ///< axis of a wedge for that cost; empty: none
   double asymmetry = 0.;        ///< see SceneCheck::motion_along() [-]
-  /// Of a mesh file; 0: other mesh.
+  /// Number of pieces of a mesh file; 0: other mesh.
   unsigned int n_pieces = 0;
   double scaled_jacobian = 1.; ///< the smallest
   bool has_body_force = false;

@@ -126,7 +126,7 @@ private:
   bool keeps_extremes_ = true;
   std::vector<RegionExtremes> extremes_;
   double signal_rate_ = 0.; ///< largest of this rank [1/s]
-  /// Of this rank; fluids: volume [m^3], solids: volume ratio [-].
+  /// Least of this rank; fluids: volume [m^3], solids: volume ratio [-].
   double least_volume_ = 0.;
 };
 } // namespace contrecoup::ale

@@ -154,7 +154,7 @@ private:
   {
     dealii::AlignedVector<double> position, velocity, energy, relaxed;
 
-    /// Swaps positions and velocities out of @p state; they must be set anew.
+    /// Swaps positions and velocities out of @p state; they must be set again.
     void swap_from(AleState &state)
     {
       position.resize_fast(state.position.size());

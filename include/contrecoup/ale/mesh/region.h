@@ -26,11 +26,11 @@ struct Region
   std::string layer; ///< of the mesh, as the entry has it
   RegionLaw law = IdealGas();
   FluidViscosity viscosity;
-  /// Of solids: kinematics, and hourglass stiffness relative to the value that
+  /// Kinematics of solids, and hourglass stiffness relative to the value that
   /// gives a cube the energy of its shear [-].
   SolidKinematics kinematics = SolidKinematics::finite_rotation;
   double hourglass_stiffness = 1.;
-  /// Of metals, solids that yield: particles only.
+  /// Plasticity of metals, solids that yield: particles only.
   std::optional<JohnsonCook> plasticity;
   /// Whether the region slides along others; fluids only.
   bool slides = false;

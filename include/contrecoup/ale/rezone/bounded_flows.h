@@ -105,7 +105,7 @@ private:
   FieldExchange mass_exchange_, other_exchange_;
   std::vector<Flow> flows_;
   std::vector<double> carried_;
-  /// Of owned cells, by field: upwards, downwards.
+  /// Capacity of owned cells, by field: upwards, downwards.
   std::vector<double> capacity_;
 };
 } // namespace contrecoup::ale

@@ -110,7 +110,7 @@ private:
   std::vector<bool> is_left_out_; ///< by region; may be empty
   /// minimum and maximum, by slot and field
   dealii::AlignedVector<double> extrema_;
-  /// Of one cell, by field: bounds, and factor on the gradient.
+  /// Bounds of one cell, by field, and factor on the gradient.
   std::vector<double> smallest_, largest_, factor_;
 };
 } // namespace contrecoup::ale

@@ -5,7 +5,7 @@
 
 /**
  * @file
- * What differs between the releases of deal.II, and nothing else does.
+ * All code that differs between the releases of deal.II.
  */
 
 #include <deal.II/base/config.h>

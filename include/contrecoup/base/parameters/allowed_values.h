@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-/// What an entry allows, from the description of its deal.II pattern.
+/// Values that an entry allows, from the description of its deal.II pattern.
 namespace contrecoup
 {
 /// Words for it: "a number from 0 to 1"; empty where anything is allowed.

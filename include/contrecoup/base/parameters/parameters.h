@@ -71,7 +71,7 @@ void declare_string(ParameterHandler &prm,
                     const std::string &default_value,
                     const std::string &sentence);
 
-/// Declares an input file. A relative name is resolved beside the parameter
+/// Declares an input file. A relative name is resolved next to the parameter
 /// file that contains it first, then in the working directory; the run stores
 /// the absolute name. Empty: none.
 void declare_file(ParameterHandler &prm,

@@ -192,7 +192,7 @@ public:
     return 3;
   }
 
-  /// What the run has not measured until now, as it is too short or stopped: a
+  /// Results that the run lacks until now, as it is too short or stopped: a
   /// clause each, of which the run warns when it ends.
   virtual std::vector<std::string> gaps()
   {

@@ -32,7 +32,7 @@ public:
   void close();
 
   /// Begins and ends a part of the run that opens a log file of its own: the
-  /// open files stay open beside it. What a part shows is a detail of the
+  /// open files stay open alongside. Lines that a part shows are details of the
   /// whole, and so are its warnings if it is @p quiet. Parts are not nested.
   /// See LogPart.
   /// @param name precedes lines of progress

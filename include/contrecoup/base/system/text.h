@@ -33,7 +33,7 @@ std::size_t edit_distance(const std::string &a, const std::string &b);
 
 /// The candidate that is meant by @p name: one that begins with it, ignoring
 /// case, if it has three letters at least; else one that is close enough, or
-/// empty. Of several, the closest one by edit_distance().
+/// empty. Among several, the closest one by edit_distance() counts.
 std::string nearest(const std::string &name,
                     const std::vector<std::string> &candidates);
 

@@ -7,8 +7,8 @@
 
 namespace contrecoup
 {
-/// What is wrong with a text that is not UTF-8, with the first byte and what
-/// precedes it; empty for UTF-8.
+/// Reason why a text is not UTF-8, with the first wrong byte and what precedes
+/// it; empty for UTF-8.
 std::string why_not_utf8(const std::string &text);
 
 /// Names the first letter of UTF-8 text that looks like another one and is

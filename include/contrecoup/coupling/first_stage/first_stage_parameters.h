@@ -27,8 +27,8 @@ public:
   /// @throws InputError for entries that cannot be combined.
   void parse_parameters(ParameterHandler &prm);
 
-  /// What is wrong with a hand-over at a time for a run until @p end_time [s];
-  /// empty: nothing.
+  /// Says that a hand-over at a time is too late for a run until @p end_time
+  /// [s]; empty: it is not.
   std::string late_hand_over(const double end_time) const;
 
   std::string kind = "none"; ///< none, spherical, axisymmetric

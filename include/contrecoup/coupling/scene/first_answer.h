@@ -11,8 +11,8 @@
 
 namespace contrecoup::coupling
 {
-/// What tables alone tell of a blast: the incident wave at the
-/// body's distance, and what it does to eardrums and lungs.
+/// Answer of tables alone on a blast: the incident wave at the
+/// body's distance, and its effects on eardrums and lungs.
 struct TableAnswer
 {
   /// Effect of a wave on a person at this distance.

@@ -14,7 +14,7 @@
 
 namespace contrecoup::coupling
 {
-/// What the user chose of the domain of a scene's gas, by entries of the
+/// The user's choices for the domain of a scene's gas, by entries of the
 /// stage "Blast"; the scene determines the rest.
 struct OwnGrid
 {

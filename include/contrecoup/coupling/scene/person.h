@@ -35,12 +35,12 @@ public:
          double mass,
          const dealii::Point<3> &charge);
 
-  /// The body in words: "a standing person of 1.756 m and 78.5 kg". Of what is
-  /// not known to be a person, the kind of body.
+  /// The body in words: "a standing person of 1.756 m and 78.5 kg"; the kind of
+  /// body where it is not known to be a person.
   std::string description() const;
 
-  /// Of phantom, images, and surfaces with landmarks; those of other bodies are
-  /// not known.
+  /// Axes of phantom, images, and surfaces with landmarks; those of other
+  /// bodies are not known.
   const std::optional<PersonAxes> &axes() const
   {
     return axes_;

@@ -69,7 +69,7 @@ public:
 
   /// The layout with the distance of the trunk, where this is much farther from
   /// the charge than the nearest skin, as with a charge at the feet, or where
-  /// no probe has the wave beside the body: there its skin tells of the lungs.
+  /// no probe has the wave next to the body: there its skin tells of the lungs.
   std::optional<SceneLayout> layout_at_trunk() const;
 
   /// The layout with the distance of the nearer ear.
@@ -97,10 +97,10 @@ public:
   /// are details.
   void print(bool with_plan) const;
 
-  /// What tables alone tell, as lines for the screen.
+  /// Answer of the tables alone, as lines for the screen.
   std::vector<std::string> first_answer() const;
 
-  /// On the body and on layers that are thinner than its elements.
+  /// Remarks on the body and on layers that are thinner than its elements.
   const std::vector<std::string> &remarks() const
   {
     return remarks_;
@@ -116,10 +116,10 @@ private:
   /// The layout with the distance of nearest_gauge().
   std::optional<SceneLayout>
   layout_at(const std::vector<std::string> &parts) const;
-  /// What the tables tell of lungs at layout_at_trunk(); empty without one.
+  /// Answer of the tables on lungs at layout_at_trunk(); empty without one.
   std::string answer_at_trunk() const;
-  /// What the tables tell of eardrums at layout_at_ears(); empty where they
-  /// tell the same at the nearest skin.
+  /// Answer of the tables on eardrums at layout_at_ears(); empty where it is
+  /// the same at the nearest skin.
   std::string answer_at_ears() const;
   /// The elements of the body and their size.
   std::string elements_in_words() const;

@@ -67,14 +67,14 @@ std::vector<Reflection> reflections_at(const SceneParameters &scene,
                                        const dealii::Point<3> &place);
 
 /// Names of the open sides along which the front runs before it reaches the
-/// probe beside the body, or the nearest skin. Such sides disturb the wave from
-/// its arrival on.
+/// probe next to the body, or the nearest skin. Such sides disturb the wave
+/// from its arrival on.
 std::vector<std::string> grazed_sides(const SceneParameters &scene,
                                       const SceneLayout &layout,
                                       const std::vector<ChosenSide> &sides);
 
 /// Earliest arrival of the front from the charge's image behind an open side at
-/// the body or the probe beside it [s]; infinite without open sides.
+/// the body or the probe next to it [s]; infinite without open sides.
 double open_reflection_at_body(const SceneParameters &scene,
                                const SceneLayout &layout,
                                const std::vector<ChosenSide> &sides);

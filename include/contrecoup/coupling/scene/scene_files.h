@@ -80,7 +80,7 @@ std::string scene_text(const dealii::ParameterHandler &prm,
  * under @p name that the user @p wrote override @p entries
  * @param declare declares the entries of the application
  * @param changes changes to the resulting entries; empty: none
- * @param given entries that the task gets beside the file, if it has them
+ * @param given entries that the task gets besides the file, if it has them
  * @throws InputError for entries that the application does not have, and for
  * those of the user that contradict an entry of the scene which describes the
  * charge, the body or its elements

@@ -59,11 +59,11 @@ struct SceneLayout
   static constexpr unsigned int max_extra_levels = 2;
 
   /// Least cells of the gas along the body's shortest side. With 3.7, those of
-  /// 40 mm beside a head, elements got 1.4 times the impulse of the gas.
+  /// 40 mm next to a head, elements got 1.4 times the impulse of the gas.
   static constexpr double least_cells_across = 6.;
 
   dealii::BoundingBox<3> body;
-  /// Of the body before it was turned: its sides are those of the body itself.
+  /// Box of the body before it was turned, whose sides are the body's own.
   dealii::BoundingBox<3> unturned;
   dealii::Point<3> charge; ///< centre of the charge [m]
   double charge_radius;    ///< [m]
@@ -97,15 +97,14 @@ struct SceneLayout
   /// Largest distance of the front at the end time: that of a charge on the
   /// ground [m].
   double front_distance;
-  /// Probe of the wave in the air beside the body, at the body's distance from
+  /// Probe of the wave in the air next to the body, at the body's distance from
   /// the charge; none where the charge or sides are too near.
   std::optional<dealii::Point<3>> probe;
   dealii::Point<3> lower, upper; ///< corners of the domain [m]
   std::array<unsigned int, 3> n_leaves;
   double leaf_edge = leaf; ///< longest edge of the coarse leaves [m]
 
-  /// What is known beforehand of the charge's wave, on the ground or in free
-  /// air.
+  /// The charge's wave as known beforehand, on the ground or in free air.
   IncidentWave incident_wave(const SceneParameters &scene) const;
 
   /// The point source of the charge's energy, as it spreads on the ground or in

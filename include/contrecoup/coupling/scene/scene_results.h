@@ -11,7 +11,7 @@ namespace contrecoup::coupling
 {
 /// Logs the audit of a scene: measured values of the assumptions of scene and
 /// blast, and a warning where the blast and the tables differ by more than
-/// their errors. What the plan has warned of is not warned of again.
+/// their errors. Warnings of the plan are not repeated.
 void print_audit(const PlannedScene &scene,
                  const std::vector<SceneTask> &tasks,
                  const std::string &folder);

@@ -7,7 +7,7 @@
 
 namespace contrecoup::coupling
 {
-/// What stages of a scene measured, by their folders; NaN is unknown.
+/// Measurements by stages of a scene, by their folders; NaN is unknown.
 
 /// The value of that name among the results in a stage's summary, in SI units.
 double stage_result(const std::string &folder, const std::string &name);

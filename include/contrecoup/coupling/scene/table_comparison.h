@@ -14,7 +14,7 @@ namespace contrecoup::coupling
 /// Place of what is compared, unless it is a gauge on the skin.
 constexpr const char *first_probe = "probe 1";
 
-/// A quantity at the probe beside the body, or on the nearest skin, by the run
+/// A quantity at the probe next to the body, or on the nearest skin, by the run
 /// and by the tables.
 struct ComparedQuantity
 {
@@ -40,7 +40,7 @@ struct ComparedQuantity
 };
 
 
-/// Reflections at the probe beside the body, by the ground and by sides that
+/// Reflections at the probe next to the body, by the ground and by sides that
 /// the user made walls. One that comes as a larger wave after the incident one
 /// has not merged with that.
 /// @param folder of the scene
@@ -52,8 +52,8 @@ reflections_at_probe(const SceneParameters &scene,
 
 /**
  * Compares the blast of a finished run with the tables: wave and injuries in
- * the open at the probe beside the body; of its peaks that of the first wave,
- * while what the wave does to people is that of all. Empty without that probe,
+ * the open at the probe next to the body; the peak is that of the first wave,
+ * while the effects on people are those of all. Empty without that probe,
  * without results, and where the tables do not cover the distance.
  *
  * @param folder of the scene
@@ -71,9 +71,9 @@ compare_with_tables(const SceneParameters &scene,
 
 /**
  * Compares the load on the skin with that on a wall by the tables, for a scene
- * without a probe beside the body: first peak, impulse and arrival. Empty for a
- * gauge that is farther from the charge than the nearest skin, without results,
- * and where the tables do not cover the distance.
+ * without a probe next to the body: first peak, impulse and arrival. Empty for
+ * a gauge that is farther from the charge than the nearest skin, without
+ * results, and where the tables do not cover the distance.
  *
  * @param gauge on the skin
  * @param folder of the scene

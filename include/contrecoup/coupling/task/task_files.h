@@ -35,7 +35,7 @@ public:
   /// Names of these files, for the scene's manifest.
   static io::FileNames names(const std::string &task);
 
-  /// @param uses_new_folder true: the new run beside the finished one
+  /// @param uses_new_folder true: the new run next to the finished one
   std::string folder(bool uses_new_folder) const;
   std::string parameter_file(bool uses_new_folder) const;
   std::string record_file(bool uses_new_folder) const;

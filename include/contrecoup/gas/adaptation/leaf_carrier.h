@@ -43,7 +43,7 @@ public:
 
 private:
   void copy_former_leaves(const std::vector<LeafOrigin> &origins) const;
-  /// Of @p leaf and the next ones, the children of one former leaf.
+  /// Sets @p leaf and the next ones, the children of one former leaf.
   void refine(const unsigned int leaf, const unsigned int former) const;
   void merge(const unsigned int leaf, const unsigned int former) const;
 

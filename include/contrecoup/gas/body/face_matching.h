@@ -11,7 +11,7 @@
 namespace contrecoup::gas
 {
 /**
- * What lies across the faces of leaves at a body's surface: leaves of equal
+ * Neighbours across the faces of leaves at a body's surface: leaves of equal
  * size, or hanging faces. On these the fine side's openings count, closed where
  * the coarse subcell has no gas; the opening of a coarse subcell is their mean,
  * so that the surface stays closed.

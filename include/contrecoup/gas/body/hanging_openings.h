@@ -12,9 +12,9 @@
 
 namespace contrecoup::gas
 {
-/// What a rigid body leaves open of the subcells that the flux through a group
-/// of hanging faces depends on, leaves side by side in lanes. Arrays are
-/// indexed by face point of the coarse or fine leaves, in the coarse numbering.
+/// Parts outside a rigid body of the subcells that the flux through a group of
+/// hanging faces depends on, leaves side by side in lanes. Arrays are indexed
+/// by face point of the coarse or fine leaves, in the coarse numbering.
 template <int dim, typename Real>
 struct HangingOpenings
 {
@@ -28,7 +28,7 @@ struct HangingOpenings
               const LeafLayout &layout,
               const CutLeaves<dim> &cut_leaves);
 
-  /// One in lanes of faces beside a cut leaf, else zero. In other lanes the
+  /// One in lanes of faces next to a cut leaf, else zero. In other lanes the
   /// means over fine subcells are computed as in groups without openings, since
   /// which faces share a group depends on the ranks.
   Number is_cut;

@@ -12,8 +12,8 @@
 
 namespace contrecoup::gas
 {
-/// What a rigid body leaves open of the subcells of a leaf and of their faces,
-/// as fractions from 0 to 1 [-].
+/// Open fractions, outside a rigid body, of the subcells of a leaf and of their
+/// faces, from 0 to 1 [-].
 template <int dim>
 struct LeafShape
 {
@@ -21,8 +21,8 @@ struct LeafShape
   bool is_open() const;
 
   std::vector<double> fraction; ///< of each point's volume
-  /// Of the subcell faces across each direction, [layer][line]; lines are
-  /// numbered as in LeafKernel.
+  /// Fraction of the subcell faces across each direction, [layer][line]; lines
+  /// are numbered as in LeafKernel.
   std::array<std::vector<double>, dim> opening;
 };
 

@@ -193,7 +193,7 @@ void BatchSweep<dim, Gas, Real>::sweep_line_of(const SomeGas &gas,
     rates[c] = &rate(rotated_component<dim>(c, direction), first);
   const bool is_first = direction == 0;
 
-  // What scenes run in most leaves, with loops and scheme known beforehand.
+  // The case of most leaves in scenes, with loops and scheme known beforehand.
   if constexpr (dim == 3)
     if (FixedScheme::is(scheme_))
     {

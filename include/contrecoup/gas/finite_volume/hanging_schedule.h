@@ -11,8 +11,8 @@
 namespace contrecoup::gas
 {
 /// Groups of hanging faces, each of which a stage computes just before the
-/// first batch that reads its fluxes: what the group reads is still in the
-/// cache when the batches beside it are computed.
+/// first batch that reads its fluxes: data that the group reads are still in
+/// the cache when the batches next to it are computed.
 template <int dim>
 class HangingSchedule
 {

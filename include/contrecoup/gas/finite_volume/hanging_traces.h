@@ -17,7 +17,7 @@
 namespace contrecoup::gas
 {
 /**
- * What the finite-volume schemes share on a group of hanging faces: the gas on
+ * Basis of the finite-volume schemes on a group of hanging faces: the gas on
  * both sides, the traces at each fine subcell face from a linear reconstruction
  * on either side, and the halo values. Differences are those along the index
  * lines of the leaves, with velocities along the coordinate axes, so that the
@@ -101,9 +101,9 @@ protected:
   std::array<dealii::AlignedVector<Number>, n_fine> fine_progress_;
   dealii::AlignedVector<Values> coarse_flux_;
   std::array<dealii::AlignedVector<Values>, n_fine> fine_flux_;
-  /// Of each coarse subcell's face: the sum of the volumes of the fine subcells
-  /// beyond it (set by average_open_fine_side()), then that of its fine faces'
-  /// openings (set where fluxes are averaged).
+  /// Sums for each coarse subcell's face: the volumes of the fine subcells
+  /// beyond it (set by average_open_fine_side()), then its fine faces' openings
+  /// (set where fluxes are averaged).
   dealii::AlignedVector<Number> open_sum_;
   dealii::AlignedVector<Values> open_mean_; ///< of open_sum_
 

@@ -93,8 +93,8 @@ public:
   {
     return burn_;
   }
-  /// What fill_progress() filled: Burn::progress() of the line's first point,
-  /// those of points -1 to n beside it.
+  /// Burn::progress() from fill_progress(), of the line's first point; those of
+  /// points -1 to n are next to it.
   const Number *line_progress() const
   {
     return &line_progress_[1];

@@ -45,7 +45,7 @@ struct RadialFaces
 
   const RadialWeights *weights;
 
-  /// What is subtracted where a subcell has the pressure @p own [Pa].
+  /// Pressure to subtract where a subcell has the pressure @p own [Pa].
   DEAL_II_ALWAYS_INLINE Number subtracted(const Number &own) const
   {
     return own;

@@ -15,7 +15,7 @@ namespace contrecoup::gas
  *
  *   Y -+ s (1 +- r / rho) / (1 + |r| / rho).
  *
- * What flows out of a half then has its own mass fraction, and an update
+ * The outflow of a half then has its own mass fraction, and an update
  * with fluxes of mass and products is a convex mean of mass fractions
  * (Larrouturou 1991): bounded, for time steps that leave mass in each half.
  *

@@ -9,7 +9,7 @@
 namespace contrecoup::gas
 {
 /**
- * What velocity differences of a reconstruction cost: with the states
+ * Energy left by velocity differences of a reconstruction: with the states
  * u +- s at the ends of a cell its middle is left with the internal energy
  *
  *   rho (e - e_least) - rho |s|^2 (1 + (s_rho / rho)^2) / 2

@@ -136,7 +136,7 @@ private:
   void mapped_hanging_fluxes();
   void interpolate_hanging(const unsigned int side);
   void integrate_hanging(const unsigned int side);
-  /// Of a side: to_gauss_ or from_gauss_.
+  /// Matrices of a side in to_gauss_ or from_gauss_.
   static MatrixOfHalf
   matrix_of(const std::array<dealii::FullMatrix<double>, 3> &matrices,
             const unsigned int side)
@@ -159,7 +159,7 @@ private:
                                                       layout_.n);
   }
 
-  /// What flows out of a leaf through a face, per area, along the coordinate
+  /// Outflow of a leaf through a face, per area, along the coordinate
   /// axes; pressures are relative to reference_pressure_.
   Values outflow(const unsigned int side, const unsigned int q) const;
   Evaluation &evaluation(const unsigned int side)
@@ -183,9 +183,9 @@ private:
   std::unique_ptr<Evaluation> exterior_;
   dealii::AlignedVector<Real> fluxes_;
   dealii::AlignedVector<Real> areas_;
-  /// Of hanging faces of mapped leaves, from the fine to the coarse leaf, at
-  /// their points: area vector times quadrature weight [batch][point], and the
-  /// number of the first such batch.
+  /// Area vectors of hanging faces of mapped leaves, from the fine to the
+  /// coarse leaf, times quadrature weights at their points [batch][point], and
+  /// the number of the first such batch.
   dealii::AlignedVector<Vector> hanging_areas_;
   unsigned int first_hanging_ = 0;
   /// From nodes to Gauss points, of a fine leaf and of the lower and the upper
@@ -211,7 +211,7 @@ private:
   Trace opposite_;           ///< last nodes, at boundaries
   Trace flux_;               ///< from side 0 to side 1, along the axes
   Trace line_;
-  /// Of hanging faces along the radius.
+  /// Nodes of hanging faces along the radius.
   RadialNodes<Number> fine_radius_;
   RadialNodes<Number> coarse_radius_;
 };

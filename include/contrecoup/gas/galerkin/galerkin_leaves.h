@@ -129,7 +129,7 @@ private:
     return result;
   }
 
-  /// Leaves of equal size beside a face of the batch's leaves.
+  /// Leaves of equal size next to a face of the batch's leaves.
   struct FaceNeighbors
   {
     NeighborReader<Real> reader;

@@ -44,7 +44,7 @@ namespace contrecoup::gas
  *
  * deal.II 9.4 gives a rank no hanging faces whose finer side is a ghost, and
  * none between periodic leaves of different sizes: hanging faces are taken from
- * LeafMesh, and each rank that owns a leaf beside one computes it.
+ * LeafMesh, and each rank that owns a leaf next to one computes it.
  */
 template <int dim, typename Real>
 class GalerkinSpace
@@ -88,7 +88,7 @@ public:
     /// deal.II's number of the batch, where that has it: on mapped meshes,
     /// unless the faces hang.
     unsigned int evaluation = 0;
-    /// Of a hanging face, which part of the coarse leaf's face; see
+    /// Part of the coarse leaf's face that a hanging face is; see
     /// HangingFace::fine_leaf.
     unsigned int quarter = 0;
     /// The side that deal.II calls interior: the finer one, or the only one.
@@ -98,8 +98,8 @@ public:
     std::array<LaneIndices, 2> leaf; ///< unused lanes repeat lane 0
     std::array<unsigned int, 2> face;
     std::array<unsigned int, 2> record; ///< of each side, for lane 0
-    /// Of the interior side, but of the coarse one on hanging faces of mapped
-    /// leaves; the same in all lanes.
+    /// Match of the interior side, but of the coarse one on hanging faces of
+    /// mapped leaves; the same in all lanes.
     FaceMatch match;
     /// Whether deal.II's quadrature points follow the exterior side's axes.
     bool is_numbered_by_exterior = false;
@@ -142,7 +142,7 @@ public:
   {
     return record_layout_;
   }
-  /// Of all records together, for @p n_components values a face node.
+  /// Size of all records together, for @p n_components values a face node.
   std::size_t n_values(const unsigned int n_components) const
   {
     return std::size_t(n_records_) * n_components * record_layout_.n_points;

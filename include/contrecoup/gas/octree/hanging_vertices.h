@@ -11,7 +11,7 @@
 namespace contrecoup::gas
 {
 /**
- * Closes the gaps beside hanging faces of an octree with curved manifolds. The
+ * Closes the gaps next to hanging faces of an octree with curved manifolds. The
  * edges and faces of a leaf are shaped by its vertices alone; a new vertex in
  * the middle of one is moved away from it by deal.II's manifold of a sphere or
  * a cylinder. Where that vertex hangs on a coarse leaf, it is put back on the

@@ -9,7 +9,7 @@
 
 namespace contrecoup::gas
 {
-/// What probes record of the exposure of people, see ExposureRecord.
+/// Records of probes on the exposure of people, see ExposureRecord.
 enum class Exposure
 {
   none,

@@ -39,7 +39,7 @@ std::string gauge_measures_table(const std::vector<GaugeBlast> &gauges,
  * "back", "left upper arm" and "right upper arm" and the mean of these over the
  * "trunk" (of chest and back where there are no arms; before a plane of
  * symmetry one arm counts twice), lung exposure at "chest" and "back", eardrum
- * rupture at gauges whose last word is "ear"; see load_injury(). Of a blast
+ * rupture at gauges whose last word is "ear"; see load_injury(). For a blast
  * test device, a cylinder of 0.305 m diameter and 0.762 m height (NATO AEP-55,
  * vol. 3, 2011) with the gauges "device front", "device back", "device left"
  * and "device right" at half its height, the chest wall velocity that Axelsson
@@ -92,7 +92,7 @@ extern const std::vector<std::pair<std::string, std::string>>
 std::array<double, 5> air_injury_values(const AirBlast &air,
                                         const double body_mass);
 
-/// Whether lungs are not judged at a place where the ears are: beside the
+/// Whether lungs are not judged at a place where the ears are: next to the
 /// products of an explosive, see ExposureRecord::durations().
 bool lungs_are_unknown(const AirBlast &air, const double body_mass);
 

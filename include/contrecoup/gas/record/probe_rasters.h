@@ -55,7 +55,7 @@ public:
   void write(const GasSnapshot<dim> &gas, const std::string &folder) override;
 
   void reduce_over_ranks() override;
-  /// Of probes with injuries; the others' maps show it.
+  /// Gaps of probes with injuries; the others' maps show them.
   std::vector<std::string> gaps(const double time) const override;
   /// Says at how many probes nothing is known of lungs.
   void finish() override;
@@ -93,7 +93,7 @@ private:
   }
   /// Names and units of values().
   std::vector<std::pair<std::string, std::string>> quantities() const;
-  /// What is known of probe @p i at @p time [s]; else not a number.
+  /// Known values of probe @p i at @p time [s]; others are not a number.
   std::vector<double> values(const std::size_t i, const double time) const;
   void write_line(const std::string &file,
                   const Raster &raster,

@@ -10,7 +10,7 @@
 
 namespace contrecoup::gas
 {
-/// Whether the positive phase goes on at the end of the record, @p time [s]:
+/// Whether the positive phase continues at the end of the record, @p time [s]:
 /// then its impulse and duration are lower limits.
 bool is_cut_off(const BlastMeasures &blast, const double time);
 

@@ -20,7 +20,7 @@ std::string warn_of_thin_parts(const RigidBody &body,
                                const std::vector<Landmark> &places,
                                double diagonal);
 
-/// What a gauge reads.
+/// Facets that a gauge reads.
 struct GaugePatch
 {
   std::string name;

@@ -52,9 +52,9 @@ public:
   }
 
   /// Outlines of the facets of all ranks, on the first rank alone: those of the
-  /// cut cells, see cut_outline() and closed_outline(). Of a cell that was
-  /// closed because its neighbours are too small, a square (in 2-D a line)
-  /// about the centroid with the facet's area and normal.
+  /// cut cells, see cut_outline() and closed_outline(). A cell that was closed
+  /// because its neighbours are too small has a square (in 2-D a line) about
+  /// the centroid with the facet's area and normal.
   const io::SkinMesh &skin() const
   {
     return skin_;

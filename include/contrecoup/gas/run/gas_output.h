@@ -69,7 +69,7 @@ private:
   std::string write_leaves(const GasSnapshot<dim> &gas,
                            const BlastMaps<dim> &maps,
                            const Target &target) const;
-  /// What a plane's files hold, on the first rank. Collective.
+  /// Contents of a plane's files, on the first rank. Collective.
   PlaneFiles sample_plane(const Plane &plane,
                           const GasSnapshot<dim> &gas,
                           const BlastMaps<dim> &maps,

@@ -36,8 +36,8 @@ namespace contrecoup::gas
  *   modelled_part     fraction of the whole that planes of symmetry leave, and
  *                     that sums of the gas are of
  *
- * Of gas around explosives that is unlike air at about sea level the items from
- * air to heat_conduction are unknown; of any other such gas there are none.
+ * In gas around explosives that is unlike air at about sea level the items from
+ * air to heat_conduction are unknown; any other such gas has none of them.
  */
 template <int dim>
 class ModellingPlan
@@ -98,7 +98,7 @@ private:
   std::vector<Assumption> items() const;
   /// Energy of the wave at the distance @p way from the centre: that of charge
   /// and image where it has merged with its reflection by a wall; @p behind
-  /// gives how far the way goes on from a wall [m].
+  /// gives how far the way continues from a wall [m].
   double
   energy_of_wave(double way,
                  const std::function<double(unsigned int wall)> &behind) const;

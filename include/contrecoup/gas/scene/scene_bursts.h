@@ -36,7 +36,7 @@ struct Burst
   double size;               ///< smallest diameter [m]
   double mass;               ///< of a charge, as a whole; others 0 [kg]
   bool is_explosion;         ///< charge, burned explosive, or point source
-  /// Sides of the domain that are planes of symmetry beside it, which compute
+  /// Sides of the domain that are planes of symmetry next to it, which compute
   /// its mirror image as well.
   std::vector<unsigned int> mirrors;
 };
@@ -53,7 +53,7 @@ std::vector<Burst<dim>> read_bursts(ParameterHandler &prm,
 template <int dim>
 bool has_several_explosions(const std::vector<Burst<dim>> &bursts);
 
-/// Remarks for the log on bursts beside planes of symmetry, and on a reference
+/// Remarks for the log on bursts next to planes of symmetry, and on a reference
 /// of Kingery and Bulmash for another mass or place than those of the charge,
 /// or for one of several.
 template <int dim>

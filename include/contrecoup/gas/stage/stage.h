@@ -13,7 +13,7 @@
 
 namespace contrecoup::gas
 {
-/// What a Runge-Kutta stage writes; the arrays are laid out as LeafLayout says.
+/// Output of a Runge-Kutta stage; the arrays are laid out as LeafLayout says.
 template <typename Real>
 struct StageResults
 {
@@ -33,7 +33,7 @@ struct StageResults
 
 
 /**
- * What a Runge-Kutta stage in Shu-Osher form reads,
+ * Input of a Runge-Kutta stage in Shu-Osher form,
  * results.state = a start + (1 - a) (in + step L(in)).
  * The arrays are laid out as LeafLayout says; those of @p in and @p sensor have
  * their ghost leaves filled.

@@ -15,12 +15,12 @@
 namespace contrecoup::gas
 {
 /**
- * What a person who stands at one position would be exposed to, updated once
+ * Exposure of a person who would stand at one position, updated once
  * per step from the arrival of the blast on: load_in_flow(), its largest value
  * and its impulse, and the motion of the chest wall under the overpressure
  * there. Replaces the histories that measures of injury would need otherwise.
  * Where matter passes that is denser than densest_air, within a charge or
- * beside it, nobody stands: nothing is known there, not a number.
+ * next to it, nobody stands: nothing is known there, not a number.
  */
 struct ExposureRecord
 {
@@ -68,7 +68,7 @@ struct ExposureRecord
    * the products of an explosive both are the @p positive_phase of the
    * overpressure. Among products, which overexpand, the overpressure soon falls
    * below zero and rises again: its first phase lasts the shorter the nearer
-   * the charge, and by it people beside the charge would live. There the load
+   * the charge, and by it people next to the charge would live. There the load
    * lasts to the end of its last phase that has a large or at least a notable
    * part of its impulse. Then the probability of death falls with the distance
    * (computed for six explosives with and without afterburn). Where the gas was

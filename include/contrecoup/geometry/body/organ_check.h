@@ -21,7 +21,7 @@ struct OrganReference
   std::string source;             ///< such as "the literature (ICRP 89)"
 };
 
-/// Volume of an organ in a mesh beside the one that it should have.
+/// Volume of an organ in a mesh, and the one that it should have.
 struct OrganCheck
 {
   OrganReference reference;

@@ -70,8 +70,8 @@ protected:
   int next(const Patch &patch, unsigned int layer, bool is_up) const;
 
   /// Patches of the left and the right of two limbs in a layer: the same one
-  /// twice if they touch each other. Of more than two, those that go on down to
-  /// the feet, as hands beside a seat do not.
+  /// twice if they touch each other. If there are more than two, those count
+  /// that continue down to the feet, as hands next to a seat do not.
   /// @throws InputError for other numbers of limbs
   std::vector<int> find_two(const std::string &what, unsigned int layer) const;
 

@@ -36,12 +36,12 @@ struct PersonRegions
   /// least section of the neck, and the one above the vertex.
   unsigned int sole = 0, crotch = 0, neck = 0, vertex = 0;
 
-  /// Of who sits: height of the middle of the thighs at the knees [m].
+  /// Height of the middle of a seated person's thighs at the knees [m].
   std::optional<double> thigh_height;
 
-  /// Of the left and the right arm: whether it was told from the trunk, also
-  /// at the hand, and the centres of its highest known voxels next to the trunk
-  /// and of those at its tip, or nearest to a hand that touches the trunk [m].
+  /// Whether the left and the right arm were told from the trunk, also at the
+  /// hand, and the centres of their highest known voxels next to the trunk and
+  /// of those at the tip, or nearest to a hand that touches the trunk [m].
   std::array<bool, 2> has_arm{{false, false}}, has_hand{{false, false}};
   std::array<dealii::Point<3>, 2> arm_root, arm_tip;
 
@@ -64,8 +64,8 @@ struct PersonRegions
  * what is before the trunk there. An arm
  * is what is farthest from the axis of trunk and head on paths within the
  * body, up to where its section grows to that of the trunk (geodesic extrema:
- * Plagemann, Ganapathi, Koller and Thrun 2010). Of an arm whose hand touches
- * the body, what is beside the trunk counts.
+ * Plagemann, Ganapathi, Koller and Thrun 2010). An arm whose hand touches the
+ * body is what is next to the trunk.
  * @param surface upright along z; which of both sides faces +x does not matter
  * @param neck_height of the neck above the soles, if it is known [m]
  * @throws InputError that says what is missing or too many, and which section

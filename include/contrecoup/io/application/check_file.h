@@ -14,7 +14,7 @@ namespace contrecoup
 {
 namespace io
 {
-  /// What --check found, for other programs.
+  /// Findings of --check, for other programs.
   struct CheckReport
   {
     std::string application;
@@ -32,7 +32,7 @@ namespace io
   std::vector<std::string>
   summary_outputs(const std::vector<Assumption> &plan = {});
 
-  /// What a history can be asked for: "first", "last", "largest", ...
+  /// Features that a history can be asked for: "first", "last", "largest", ...
   const std::vector<std::string> &history_features();
 
   /// Numbers of a history, "FILE.csv:FEATURE:COLUMN".

@@ -42,9 +42,9 @@ namespace io
     /// Shows which entries have no effect, and other oversights.
     void warn();
     void prepare();
-    /// Of what a longer run may measure.
+    /// Warns of results that a longer run may have.
     void warn_of_gaps(bool is_finished);
-    /// Where more than a few steps were halved.
+    /// Warns where more than a few steps were halved.
     void warn_of_retries() const;
     void summarise(const std::string &status, const std::string &message);
     /// Returns false on the first rank if they could not be drawn.

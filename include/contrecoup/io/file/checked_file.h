@@ -16,7 +16,7 @@ namespace io
   constexpr std::uint64_t largest_zlib_ratio = 1032;
 
   /**
-   * Writes a file atomically: into a temporary file beside it, which is
+   * Writes a file atomically: into a temporary file next to it, which is
    * renamed when complete. On failure (disk full) nothing is left.
    * @param write writes the content to the stream
    * @throws SystemError with the system's reason

@@ -45,8 +45,8 @@ namespace io
     void set_time(double time);
 
     /// Adds to the field data what the integers in an array stand for, by
-    /// fields whose names are "tissue 4: brain": readers beside ParaView refuse
-    /// arrays of texts.
+    /// fields whose names are "tissue 4: brain": readers other than ParaView
+    /// refuse arrays of texts.
     void add_names(const std::string &array,
                    const std::vector<std::string> &names);
 

@@ -51,9 +51,9 @@ namespace io
                      const std::string &more = "a later end") const;
 
     /**
-     * Whether --resume goes on with an earlier run. A run of this application
-     * that ended before it left anything to go on with begins, which is logged.
-     * @param can_resume whether there is something to go on with; if not, true
+     * Whether --resume continues an earlier run. A run of this application that
+     * ended before it left anything to continue begins, which is logged.
+     * @param can_resume whether there is something to continue; if not, true
      * means that the folder holds something else
      */
     bool goes_on(const CommandLine &command, bool can_resume) const;

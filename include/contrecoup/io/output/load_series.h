@@ -10,7 +10,7 @@ namespace contrecoup
 namespace io
 {
   /**
-   * Writes NAME.xdmf beside NAME.h5, a LoadFile with facets as polygons or
+   * Writes NAME.xdmf next to NAME.h5, a LoadFile with facets as polygons or
    * lines, by which ParaView (its "XDMF Reader", not those of Xdmf3) shows
    * overpressure over time on the facets, with peak, impulse, arrival and
    * duration. It holds no numbers of its own but times. Writes nothing where

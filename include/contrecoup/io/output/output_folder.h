@@ -39,7 +39,7 @@ namespace io
     /// @throws InputError when the folder cannot be claimed
     bool claim(const CommandLine &command);
 
-    /// Whether the claimed folder holds a run to go on with, see
+    /// Whether the claimed folder holds a run to continue, see
     /// FolderClaim::goes_on().
     bool resumes() const
     {

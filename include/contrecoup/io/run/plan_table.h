@@ -19,7 +19,7 @@ namespace io
   /// its limit. Empty without assumptions.
   std::vector<std::string> plan_lines(const std::vector<Assumption> &plan);
 
-  /// The same after the run, with measurements beside estimates, and a warning
+  /// The same after the run, with measurements next to estimates, and a warning
   /// for each measurement beyond its limit.
   std::vector<std::string> audit_lines(const std::vector<Assumption> &plan,
                                        const std::vector<Assumption> &audit);

@@ -17,7 +17,7 @@ namespace contrecoup
 {
 namespace io
 {
-  /// What all starts of a run until now have in common or have spent.
+  /// Totals and common facts of all starts of a run until now.
   struct RunStarts
   {
     double wall_seconds = 0.;      ///< to the last checkpoint of each start
@@ -28,7 +28,7 @@ namespace io
     double peak_memory = 0.;                 ///< [byte]
     std::map<std::string, double> estimates; ///< of the plan, by name
     std::vector<std::string> warnings;       ///< each once
-    /// Steps and times [s] of the checkpoints from which starts went on.
+    /// Steps and times [s] of the checkpoints from which starts continued.
     std::vector<std::pair<std::uint64_t, double>> interruptions;
   };
 

@@ -10,7 +10,7 @@
  * Nodal average of pressures that alternate from element to element. Elements
  * with one dilatation leave hourglass modes whose dilatation D alternates
  * between neighbours, nearly without force and with long periods, so that
- * viscosity hardly damps them. Of the pressure -K D a part beta is replaced by
+ * viscosity hardly damps them. A part beta of the pressure -K D is replaced by
  * its average over the corners of the element, where each corner holds the
  * average of its elements (after Bonet and Burton, Commun. Numer. Meth. Engng.
  * 14 (1998) 437, and, for the part that is left to each element, Puso and

@@ -5,7 +5,7 @@
 
 namespace contrecoup
 {
-/// Of the standard atmosphere [Pa].
+/// Pressure of the standard atmosphere [Pa].
 constexpr double sea_level_pressure = 101325.;
 
 /**

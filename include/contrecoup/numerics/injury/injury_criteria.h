@@ -9,8 +9,8 @@
 
 /**
  * @file
- * What the literature says of measures of injury. All of it is in
- * injury_criteria.json beside the source, each figure with where it is from;
+ * Knowledge of the literature on measures of injury. All of it is in
+ * injury_criteria.json next to the source, each figure with its origin;
  * the report reads the same file.
  */
 
@@ -43,7 +43,7 @@ double injury_curve_constant(const std::string &curve, const std::string &name);
 struct InjuryCriterion
 {
   /// Limits in the unit of the measure (SI), of increasing severity, and what
-  /// it means to exceed them. Of levels that overlap, a limit is where one
+  /// it means to exceed them. For levels that overlap, a limit is where one
   /// begins or ends, and its meaning names all that apply from there on.
   std::vector<std::pair<double, std::string>> thresholds;
   std::string source;              ///< publication
@@ -51,7 +51,7 @@ struct InjuryCriterion
   std::string limits_of_impact;    ///< the same without a blast
   std::vector<std::string> curves; ///< names of probabilities by this measure
   std::string unit;                ///< of the measure; "-" for none
-  /// What is measured: head, chest, loads at gauges, people in the air, or a
+  /// Measured object: head, chest, loads at gauges, people in the air, or a
   /// check of the numerics.
   std::string of;
   double largest; ///< of the measure: 1 for fractions, else infinity
@@ -64,7 +64,7 @@ struct InjuryCriterion
   std::string in_words() const;
 };
 
-/// What is known of the measure of that name, see injury_criteria.json.
+/// Criterion of the measure of that name, see injury_criteria.json.
 /// @throws InputError for an unknown name
 const InjuryCriterion &injury_criterion(const std::string &name);
 

@@ -12,7 +12,7 @@ struct PressurePulse
 {
   double peak = 0.;     ///< peak overpressure [Pa]
   double duration = 0.; ///< duration of the positive phase [s]
-  /// Whether the positive phase goes on where the history ends: then what
+  /// Whether the positive phase continues where the history ends: then what
   /// follows from its duration is a lower limit.
   bool is_cut = false;
 };
@@ -30,7 +30,7 @@ struct LoadInjury
   bool is_velocity_cut = false;
 };
 
-/// What a wave does to a person who stands in the air that it passes.
+/// Injuries by a wave to a person who stands in the air that it passes.
 struct AirInjury
 {
   double lung_exposure = 0.;   ///< load over median lethal load [-]

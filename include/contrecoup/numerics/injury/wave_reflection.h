@@ -48,7 +48,7 @@ bool merges_with_reflection(double energy,
 /**
  * Earliest arrival at @p distance of the front of a blast of any charge in free
  * air [s]: that of the point source or, if earlier, of TNT of the same energy
- * (4.184 MJ/kg) by the tables. Of ANFO and PETN the tables arrive up to 6 %
+ * (4.184 MJ/kg) by the tables. For ANFO and PETN the tables arrive up to 6 %
  * before the point source, at 2 to 3 m/kg^(1/3), runs of ANFO up to 2 %.
  * @param energy [J], ambient @p pressure [Pa] and @p density [kg/m^3], for
  * which the tables are scaled (Sachs)

@@ -28,7 +28,7 @@ public:
   /// Materials of several tissues, in the order of @p tissues.
   std::vector<SolidMaterial> find(const std::vector<Tissue> &tissues) const;
 
-  /// What the file changes in a tissue of the library, or says of a new one:
+  /// Changes of a tissue of the library by the file, or values of a new one:
   /// "Shear modulus = 2000 Pa instead of 2.857e+07"; empty: nothing.
   std::string changes(Tissue tissue) const;
 

@@ -25,7 +25,7 @@ public:
   FacetSearch &operator=(const FacetSearch &) = delete;
 
   /// The nearest of the facets around @p place [m], of at least one, for an
-  /// @p area vector there. Of facets that are as near the first counts, so that
+  /// @p area vector there. The first of facets that are as near counts, so that
   /// the order of a search tree decides nothing.
   std::size_t find(const dealii::Point<3> &place,
                    const dealii::Tensor<1, 3> &area) const;

@@ -45,8 +45,8 @@ public:
     return 1.;
   }
 
-  /// What is not known until the end time of the run [s], such as pressures
-  /// after the last sample of a record, in one sentence; empty: all is known.
+  /// Gaps until the end time of the run [s], such as unknown pressures after
+  /// the last sample of a record, in one sentence; empty: all is known.
   /// Call after reinit(). Collective.
   virtual std::string warning(double end_time) const = 0;
 

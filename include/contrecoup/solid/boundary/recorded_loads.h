@@ -106,7 +106,7 @@ private:
   /// cancel, sums of magnitudes [N s].
   double largest_recorded_impulse_ = 0.;
   double largest_mapped_impulse_ = 0.; ///< without the factor
-  /// What is left where pushes cancel, recorded and on this surface, at the
+  /// Impulse left where pushes cancel, recorded and on this surface, at the
   /// time when the former is largest [N s].
   std::optional<std::pair<double, double>> pushes_left_;
 };

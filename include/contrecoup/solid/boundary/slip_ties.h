@@ -81,7 +81,7 @@ public:
   template <typename Real>
   void advance(const NodeFields<Real> &nodes, double step);
 
-  /// Forgets the forces. Call after forces were assembled anew.
+  /// Forgets the forces. Call after forces were assembled again.
   void reset_forces();
 
   /// Adds the work of the forces with the current velocities over a time [s].

@@ -51,7 +51,7 @@ public:
                   const double before,
                   const double next);
 
-  /// Sets all reactions to zero. Call after forces were assembled anew.
+  /// Sets all reactions to zero. Call after forces were assembled again.
   void reset_reactions();
 
   /// Sets forces on supported components to zero, for the eigenvalue solver.

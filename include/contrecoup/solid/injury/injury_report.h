@@ -29,7 +29,7 @@ public:
   }
 
   /// Thresholds that are not the published ones, and the mass of the person
-  /// beside that of @p body, by which lungs are judged. Collective.
+  /// alongside that of @p body, by which lungs are judged. Collective.
   std::vector<Assumption> assumptions(const SolidBody<Real> &body) const;
 
   /// Thresholds that are not the published ones.

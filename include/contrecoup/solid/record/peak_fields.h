@@ -48,8 +48,8 @@ public:
 
   /// For each tissue, as "highest_pressure_brain": the extreme values over its
   /// elements and, as "principal_strain_95_brain", the volume-weighted 95th
-  /// percentile of the elements' largest principal strain. Of a value that
-  /// the last evaluation changed also "NAME_cut_off", which is 1.
+  /// percentile of the elements' largest principal strain. A value that the
+  /// last evaluation changed also has "NAME_cut_off", which is 1.
   std::vector<NamedValue> results(const SolidBody<Real> &body) const override;
 
   /// The tissue of which 95 % has had the largest strains. Collective.

@@ -11,7 +11,7 @@
 
 namespace contrecoup::solid
 {
-/// What the entries of a run select in its mesh.
+/// Objects by which the entries of a run select parts of its mesh.
 struct SolidSelectors
 {
   const Supports &supports;
