@@ -41,7 +41,7 @@ function(contrecoup_add_module layer)
 endfunction()
 
 # contrecoup_setup_target(<target>): includes, deal.II, flags, common header.
-# Without MPI's old C++ interface, which every source would compile anew.
+# Without MPI's old C++ interface, which every source would compile again.
 function(contrecoup_setup_target target)
   target_include_directories(${target} PRIVATE
     ${PROJECT_SOURCE_DIR}/include ${PROJECT_BINARY_DIR}/include)

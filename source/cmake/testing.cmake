@@ -148,7 +148,7 @@ endfunction()
 # parameter_files/) with overrides, on MPI ranks; without a file that it NEEDS
 # it is skipped, and fails in CI (CI is set in the environment). Several kinds
 # share the runs that they have in common. It keeps as many CORES busy as it has
-# ranks at most, unless told that it mostly waits or runs on fewer. What is proven
+# ranks at most, unless told that it mostly waits or runs on fewer. The proof
 # depends on <kind>:
 #   bounds        BOUNDS "errors.density_L1 < 1e-3" ...: of summary.json, with
 #                 <, > or ==; "history.x" is the last value of that column of
@@ -178,7 +178,7 @@ endfunction()
 #   check_files   --check accepts all files of FILE's folder, with a plan, and
 #                 writes nothing; "NEEDS <x.prm>=<file>" leaves one out that
 #                 cannot be checked without a file
-#   presets       COMPARE <name>...: the presets beside FILE, the cheapest
+#   presets       COMPARE <name>...: the presets next to FILE, the cheapest
 #                 first, have the errors and relative updates that they state
 #   pictures      COMPARE <png>...: the run draws these at its end, and they
 #                 are not of one colour

@@ -97,7 +97,7 @@ namespace
   }
 
 
-  /// What follows from the energy per mass where it is not that of @p base.
+  /// Adapts values to the energy per mass where it is not that of @p base.
   void adapt_to_energy(const Explosive &base, Explosive &explosive)
   {
     const double before = energy_per_mass(base);

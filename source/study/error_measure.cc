@@ -105,7 +105,7 @@ namespace
     return summary;
   }
 
-  /// What the result is compared with.
+  /// Declares the values that the result is compared with.
   void declare_reference(ParameterHandler &prm)
   {
     // These bounds admit values of every quantity.

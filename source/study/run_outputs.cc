@@ -213,7 +213,7 @@ void RunOutputs::add(const std::string &address,
                      const double value,
                      const std::string &unit)
 {
-  // Of rows with the same name, the first counts.
+  // The first of rows with the same name counts.
   if (values_.emplace(address, RunOutput{value, unit == "-" ? "" : unit, false})
         .second)
     names_.push_back(address);

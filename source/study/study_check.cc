@@ -124,7 +124,7 @@ void Study::print_costs(const std::vector<VariantForecast> &forecasts) const
   show_line("all runs, " + std::to_string(slots) + " at once:");
   show_line("  cells     " +
             (sum.cells > 0. ? from_to(least_cells, sum.cells) : told(0., "")));
-  // What has no steps, as anatomy, has a known time.
+  // A run without steps, as of anatomy, has a known time.
   if (sum.steps > 0. || !(sum.seconds > 0.))
     show_line("  steps     " +
               told(sum.steps, brief(sum.steps, 3) + " in all"));

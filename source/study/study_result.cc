@@ -74,8 +74,8 @@ namespace
     return found;
   }
 
-  /// What contradicts that the meshes of a series are finer the smaller their
-  /// width is: the finest has fewer unknowns than the coarsest. Empty: nothing.
+  /// Contradiction to a series whose meshes are finer the smaller their width
+  /// is: the finest has fewer unknowns than the coarsest. Empty: none.
   std::string contradiction(const Factor &factor,
                             const std::size_t series,
                             const std::vector<ResultRow> &rows)

@@ -71,7 +71,7 @@ namespace
     const std::string path = running.folder->path();
     VariantForecast &forecast = *running.forecast;
     const std::string mark = "WARNING: ";
-    // What one variant switches off another one needs.
+    // An entry that one variant does not use may be needed by another.
     std::istringstream lines(io::read_file(path + "/output.txt"));
     for (std::string line; std::getline(lines, line);)
       if (line.find(" set but not used: ") == std::string::npos)
@@ -97,7 +97,7 @@ namespace
     return text.find(letter) != std::string::npos;
   }
 
-  /// What follows in @p address as many separators as @p begin has.
+  /// End of @p address after as many separators as @p begin has.
   std::string end_after(const std::string &begin, const std::string &address)
   {
     const char separator = has_letter(address, ':') ? ':' : '.';
@@ -143,7 +143,7 @@ namespace
   }
 
   /// Whether an address of summary.json is one of a numbered probe that the
-  /// history of probes beside it, which has each number, lacks.
+  /// history of probes next to it, which has each number, lacks.
   bool is_of_missing_probe(const std::vector<std::string> &outputs,
                            const std::string &address)
   {
@@ -217,7 +217,7 @@ CostEstimate sum_of(const std::vector<VariantForecast> &forecasts,
     *std::min_element(busy_until.begin(), busy_until.end()) += cost.seconds;
   }
   sum.seconds = *std::max_element(busy_until.begin(), busy_until.end());
-  // What is unknown of one is unknown of all.
+  // A figure that is unknown for one is unknown for all.
   for (double CostEstimate::*figure : {&CostEstimate::cells,
                                        &CostEstimate::unknowns,
                                        &CostEstimate::steps,

@@ -135,7 +135,7 @@ void LayeredHead::find_wedge(ParameterHandler &prm)
 double LayeredHead::computed_fraction() const
 {
   const double fraction = fraction_within(ball_.is_halved);
-  // Of four straight cells to a quarter of the circumference.
+  // The straight wedge replaces a quarter of the circumference.
   return ball_.wedge_axis > 2
            ? fraction
            : 4. * fraction * ball_.wedge_slope / dealii::numbers::PI;

@@ -15,7 +15,7 @@ namespace
 {
   namespace column = mpm::column;
 
-  /// Of metals the largest plastic strain and work. Sums: mass, momentum,
+  /// Largest plastic strain and work of metals. Sums: mass, momentum,
   /// kinetic energy, plastic work.
   struct MaterialSums
   {

@@ -83,7 +83,7 @@ void Remap::carry_face(const AleState &state,
     throw NumericsError("time " + exact(state.time) +
                         " s: the rezone would move a solid's node, at cell " +
                         std::to_string(space_->cell_number(face.inside)));
-  // What `inside` gains leaves `outside`.
+  // The volume that `inside` gains leaves `outside`.
   const auto swept = swept_moments(before, after);
   if (is_closed(face))
     return check_boundary(state, face, swept.volume);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-// What the set-up of MatrixFree and face evaluations of degree -1 need of
-// deal.II for lanes that the library does not hold, in the way that
+// Parts of deal.II for lanes that the library does not hold, as the set-up of
+// MatrixFree and face evaluations of degree -1 need them, in the way that
 // FEEvaluation documents. Time steps use evaluations with compiled degrees.
 
 #include <contrecoup/base/deal_ii/lane_width.h>

@@ -227,7 +227,7 @@ namespace
     return static_cast<std::size_t>(end - text.c_str());
   }
 
-  /// What is wrong with @p value where numbers are wanted: a letter beyond
+  /// Fault of @p value where numbers are wanted: a letter beyond
   /// ASCII, a unit, a comma as decimal separator; empty if none of these.
   std::string why_no_number(const std::string &value, const Tree &entry)
   {

@@ -23,7 +23,7 @@ namespace
   constexpr unsigned int stop_bit = 1;
   constexpr unsigned int checkpoint_bit = 2;
   constexpr unsigned int forecast_bit = 32;
-  // Of several signals, the first in this list counts.
+  // If there are several signals, the first in this list counts.
   constexpr std::array<std::pair<int, unsigned int>, 3> signal_bits = {
     {{SIGINT, 4}, {SIGTERM, 8}, {SIGUSR1, 16}}};
 

@@ -83,8 +83,8 @@ void prefer_large_pages([[maybe_unused]] void *memory,
   const auto begin = reinterpret_cast<std::uintptr_t>(memory);
   const std::uintptr_t first = (begin + page - 1) / page * page;
   const std::uintptr_t end = (begin + n_bytes) / page * page;
-  // A wish: a system without such pages answers with an error, and all goes on
-  // as before.
+  // A wish: a system without such pages answers with an error, and all
+  // continues as before.
   if (end > first && end - first >= large_page)
     madvise(reinterpret_cast<void *>(first), end - first, MADV_HUGEPAGE);
 #endif

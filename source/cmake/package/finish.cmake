@@ -1,5 +1,5 @@
-# What Debian expects of files that other systems take as they are. CPack calls
-# this between installation and packing, for all packages at once.
+# Meets Debian's demands on files that other systems take as they are. CPack
+# calls this between installation and packing, for all packages at once.
 set(_root ${CPACK_TEMPORARY_INSTALL_DIRECTORY})
 set(_documents ${_root}/contrecoup/usr/share/doc/contrecoup)
 configure_file(${CMAKE_CURRENT_LIST_DIR}/copyright ${_documents}/copyright

@@ -218,8 +218,8 @@ namespace coupling
         HexMeshSize size = count_hexahedra(grid, parameters_.levels);
         if (coarsening == 1.)
           return size;
-        // Of the largest cubes there are as many as the volume holds, of others
-        // as the surfaces and interfaces need.
+        // There are as many largest cubes as the volume holds, and as many
+        // others as the surfaces and interfaces need.
         const double area = coarsening * coarsening;
         const double largest = count_hexahedra(grid, 0).cells *
                                std::ldexp(1., -3 * int(parameters_.levels));
@@ -330,7 +330,7 @@ namespace coupling
         Log::instance().check();
       }
 
-      /// Volumes of organs beside those that they should have [m^3].
+      /// Volumes of organs, and those that they should have [m^3].
       static io::Json organs_of(const BodyReport &report)
       {
         io::Json organs = io::Json::array();

@@ -63,8 +63,8 @@ namespace
   }
 
 
-  /// What a plane may add: at most, at places at which both waves are one, what
-  /// it adds to a surface burst.
+  /// Possible addition by a plane: at most, at places at which both waves are
+  /// one, that to a surface burst.
   std::string reflection_in_words(const SceneParameters &scene,
                                   const SceneLayout &layout,
                                   const ReflectingPlane &plane)
@@ -87,7 +87,7 @@ namespace
            " to the impulse where it has merged with the wave";
   }
 
-  /// What tables alone leave out and a run has.
+  /// Effects that tables alone leave out and a run has.
   std::string left_out_in_words(const SceneParameters &scene,
                                 const SceneLayout &layout,
                                 const std::vector<ChosenSide> &sides)

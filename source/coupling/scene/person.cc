@@ -147,7 +147,7 @@ std::string Person::description() const
   const std::string size = " of " + length + " m and " + mass + " kg";
   if (kind_ == "image")
     return "a body of medical images" + size;
-  // What is no stature is called a height.
+  // A length that is no stature is called a height.
   const std::string height = " of " + mass + " kg, " + length + " m high";
   if (!axes_)
     return "a " + kind_ + height;

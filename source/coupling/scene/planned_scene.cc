@@ -127,7 +127,7 @@ void PlannedScene::require_measures() const
   std::vector<std::string> taken = injury_measures_of(kinds);
   if (has_chest && has_gauges)
     taken.emplace_back("injury_chest_wall_velocity_mesh");
-  // Of the wave beside the body, by which lungs are judged.
+  // Measures of the wave next to the body, by which lungs are judged.
   if (has_chest && !has_gauges && layout_->probe)
     for (const char *const measure : {"lung_exposure_air", "lung_lethality"})
       taken.emplace_back(measure);
@@ -250,7 +250,7 @@ PlannedScene::nearest_gauge(const std::vector<std::string> &parts) const
     };
     return parts.empty() || std::any_of(parts.begin(), parts.end(), is_name);
   };
-  // Of both sides of a body that the charge faces the first one, as recorded.
+  // If both sides of a body are equally near, the first one recorded counts.
   constexpr double same = 1. - 1e-6;
   std::optional<Landmark> nearest;
   for (const Landmark &landmark : body_->landmarks())

@@ -60,7 +60,7 @@ namespace
     collective.run(
       [&]() {
         const PlannedScene scene(prm, io::assignments_of(command, prm));
-        // What a run refuses gets no answer.
+        // A scene that a run refuses gets no answer.
         make_tasks(scene, command, prm, collective);
         for (const std::string &line : scene.first_answer())
           show_line(line);

@@ -312,7 +312,7 @@ std::string gauge_cells_warning(const PlannedScene &scene,
       const double arrival = wave.value(BlastQuantity::arrival, distance);
       const unsigned int level =
         limits.levels(place, arrival, {0, most}).max_level;
-      // Products are coarser beside the body, too.
+      // Products are coarser next to the body, too.
       if (level >= layout.front_levels || arrival > parameters.end_time ||
           distance <= layout.fireball_radius(parameters))
         continue;

@@ -13,7 +13,7 @@ namespace contrecoup::coupling
 {
 namespace
 {
-  /// Of the usual time for trial runs; a coarser stage needs fewer.
+  /// Share of the usual time for trial runs; a coarser stage needs fewer.
   constexpr double coarser_trial_share = 0.25;
 
   /// Time to draw a report [s]: 11.4 s were measured for the quickstart.

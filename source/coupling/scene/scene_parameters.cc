@@ -130,7 +130,7 @@ namespace
   }
 
   constexpr double smallest_cell = 0.16 / 1024.; // [m]
-  /// Of the preset's elements along the body's longest side. With 25, as of
+  /// Least elements of the preset along the body's longest side. With 25, as of
   /// 10 mm in a head of 250 mm, hourglass modes of one point of integration
   /// store 38 % of the energy.
   constexpr double least_elements = 60.;

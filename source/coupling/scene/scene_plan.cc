@@ -28,8 +28,8 @@ namespace
   /// Least part of the skin: cells of 20 mm have 98 % of that of a man, those
   /// of 40 mm 95 %, those of 80 mm, which lose lower legs and feet, 70 %.
   constexpr double least_skin = 0.9;
-  /// Of a body at rest for the gas, in parts of its depth: the loads on its
-  /// skin then move by as much.
+  /// Displacement of a body at rest for the gas, in parts of its depth: the
+  /// loads on its skin then move by as much.
   constexpr double largest_displacement = 0.1;
 
   /// Item about the body at rest, with its estimate.
@@ -237,7 +237,7 @@ namespace
              : "";
   }
 
-  /// End of the positive phase beside the body as the run has it, where it has
+  /// End of the positive phase next to the body as the run has it, where it has
   /// one, else by the tables [s].
   double end_of_phase(const SceneLayout &layout, const std::string &blast)
   {
@@ -375,7 +375,7 @@ namespace
             "Scene/End time"};
   }
 
-  /// What the user wrote for an entry of biomechanics; empty: nothing.
+  /// The user's value for an entry of biomechanics; empty: none.
   std::string written(const std::vector<Assignment> &wrote,
                       const std::string &section,
                       const std::string &entry)

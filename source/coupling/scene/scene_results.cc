@@ -90,7 +90,7 @@ namespace
   }
 
 
-  /// What a stage took; null if it has not run.
+  /// Cost of a stage; null if it has not run.
   io::Json cost(const double value)
   {
     return value > 0. ? io::Json(value) : io::Json();
@@ -269,8 +269,8 @@ namespace
   }
 
 
-  /// Reflections at the probe beside the body and at the nearest skin, and what
-  /// each adds where it has merged with the incident wave.
+  /// Reflections at the probe next to the body and at the nearest skin, and
+  /// what each adds where it has merged with the incident wave.
   io::Json reflection_rows(const PlannedScene &scene, const std::string &folder)
   {
     const auto rise = [&](const BlastQuantity quantity) {
@@ -335,7 +335,7 @@ namespace
                           {"cover_at_least", "m"}};
 
 
-  /// Compares the blast with the tables: the wave beside the body, or the load
+  /// Compares the blast with the tables: the wave next to the body, or the load
   /// on the nearest skin. A coarser run that the scene has not
   /// made may be left from an earlier one.
   std::vector<ComparedQuantity> compared(const PlannedScene &scene,

@@ -148,7 +148,7 @@ void SceneRun::forecast()
   }
   show_stages({});
   const LogPart part;
-  // What a later stage refuses is better known before the first one.
+  // A refusal by a later stage is better known before the first one.
   const Silence silence(is_first_rank_);
   for (SceneTask &task : tasks_)
     if (!task.is_finished() && !task.is_optional())

@@ -238,7 +238,7 @@ namespace
     }
 
   private:
-    /// Of anatomy, blast and, if injury is asked for, biomechanics.
+    /// Texts of anatomy, blast and, if injury is asked for, biomechanics.
     std::vector<TaskText> texts() const
     {
       std::vector<TaskText> texts{anatomy_text(), blast_text({})};

@@ -406,7 +406,7 @@ compare_skin_with_tables(const SceneParameters &scene,
       wave.value(BlastQuantity::reflected_overpressure, distance),
       merges,
       false);
-  // What comes back later adds to it, and the edges of a body relieve it.
+  // Later reflections add to it, and the edges of a body relieve it.
   add("reflected_impulse",
       "Pa s",
       "impulse",

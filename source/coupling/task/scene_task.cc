@@ -166,7 +166,7 @@ void SceneTask::take_summary(const double wall_seconds)
   const io::Json performance = json.value("performance", io::Json::object());
   const io::Json status = json.value("status", io::Json());
   record_.status = status.is_string() ? status.get<std::string>() : "failed";
-  // Of all starts; this one began before its summary counts.
+  // Time of all starts; this one began before its summary counts.
   record_.wall_seconds =
     std::max(wall_seconds, number_or_zero(json, "wall_seconds"));
   const double cores = number_or_zero(performance, "core_seconds");

@@ -113,7 +113,7 @@ bool Adaptation<dim>::adapt_now(GasField &field, BlastMaps<dim> &maps)
 {
   std::vector<FaceMarks> marks = face_marks(field);
   // Cells without gas would look like fronts. Leaves at the body have a
-  // prescribed level, and the leaves beside them detect approaching waves.
+  // prescribed level, and the leaves next to them detect approaching waves.
   for (unsigned int leaf = 0; leaf < marks.size(); ++leaf)
     if (field.open_fractions() != nullptr &&
         !field.open_fractions()->is_open(leaf))
@@ -166,7 +166,7 @@ void Adaptation<dim>::inherit(const CellIterator &cell,
   else if (dim == 1)
     look(neighbor->child(1 - face));
   else
-    // Only the children at the face: others would widen the AMR buffer beside
+    // Only the children at the face: others would widen the AMR buffer next to
     // coarse leaves, and be coarsened again in the next adaptation.
     for (unsigned int c = 0; c < HangingFace<dim>::n_fine; ++c)
       look(periodic ? cell->periodic_neighbor_child_on_subface(face, c)

@@ -32,7 +32,7 @@ SizeLimits::Levels LeafLevels<dim>::levels(const unsigned int leaf,
     const double layers = leaf_diagonals_from_body(leaf);
     if (layers <= RigidBody::max_diagonals_at_body)
       return {level, level};
-    // Finer leaves beside those at the body would refine these by 2:1 balance.
+    // Finer leaves next to those at the body would refine these by 2:1 balance.
     if (layers <= 2.)
       general.max_level = std::min(general.max_level, level + 2);
   }

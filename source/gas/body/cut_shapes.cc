@@ -13,7 +13,7 @@ namespace contrecoup::gas
 {
 namespace
 {
-  /// What tells leaves apart: corner and edge lengths.
+  /// Values that tell leaves apart: corner and edge lengths.
   template <int dim>
   std::array<double, 2 * dim> place_of(const LeafBox<dim> &box)
   {

@@ -30,8 +30,8 @@ namespace
   /// Rate, in parts of sound speed over edge of the first cell, at which waves
   /// from walls and neighbours damp a uniform motion of a chain across @p face,
   /// in the direction where it is largest. Walls, and sides of the domain
-  /// beside the first cell, count fully (impedance: density times sound speed),
-  /// open faces half.
+  /// next to the first cell, count fully (impedance: density times sound
+  /// speed), open faces half.
   template <int dim>
   double damping_rate(const CutShapes<dim> &shapes,
                       const FaceMatching<dim> &matching,
@@ -249,7 +249,7 @@ void Neighborhoods<dim>::choose_directions()
 {
   directions_.clear();
   shapes_.update_ghosts();
-  // A closed pocket may make pockets of the cells beside it.
+  // A closed pocket may make pockets of the cells next to it.
   const unsigned int most_rounds = 10;
   for (unsigned int round = 0; round < most_rounds; ++round)
   {

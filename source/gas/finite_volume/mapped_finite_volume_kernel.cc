@@ -198,7 +198,7 @@ void MappedFiniteVolumeKernel<dim, Gas, Real>::line_fluxes(
 }
 
 
-// They are what remains beside the pressure of the cell itself.
+// They are what remains besides the pressure of the cell itself.
 template <int dim, typename Gas, typename Real>
 void MappedFiniteVolumeKernel<dim, Gas, Real>::take_hanging_fluxes(
   const unsigned int direction,

@@ -255,8 +255,8 @@ void GalerkinFaces<dim, Gas, Real>::interpolated_fluxes()
 }
 
 
-// What is interpolated are differences, so that equal values stay what they
-// are, to the last bit.
+// Differences are interpolated, so that equal values stay what they are, to
+// the last bit.
 template <int dim, typename Gas, typename Real>
 void GalerkinFaces<dim, Gas, Real>::interpolate(const unsigned int side)
 {

@@ -25,8 +25,8 @@ void GalerkinFaces<dim, Gas, Real>::hanging_fluxes()
 }
 
 
-// What is interpolated are differences, so that equal values stay what they
-// are, to the last bit.
+// Differences are interpolated, so that equal values stay what they are, to
+// the last bit.
 template <int dim, typename Gas, typename Real>
 std::array<typename GalerkinFaces<dim, Gas, Real>::Values, 2>
 GalerkinFaces<dim, Gas, Real>::load_face(const unsigned int side,

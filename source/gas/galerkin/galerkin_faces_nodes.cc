@@ -96,8 +96,8 @@ void GalerkinFaces<dim, Gas, Real>::load_nodes(const unsigned int side)
 }
 
 
-// What the limiter sees beyond a boundary: at a wall the mirror image, else no
-// slope.
+// Sets what the limiter sees beyond a boundary: at a wall the mirror image,
+// else no slope.
 template <int dim, typename Gas, typename Real>
 void GalerkinFaces<dim, Gas, Real>::mirror_nodes()
 {

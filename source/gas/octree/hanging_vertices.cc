@@ -38,8 +38,8 @@ void HangingVertices<dim>::settle()
                                   communicator_of(triangulation_)) == 0)
     return;
   before_ = triangulation_.get_vertices();
-  // What hangs on a coarse leaf may be the end of a finer leaf's edge on which
-  // others hang.
+  // A vertex that hangs on a coarse leaf may be the end of a finer leaf's edge
+  // on which others hang.
   for (unsigned int level = 0; level + 1 < n_levels; ++level)
   {
     settle_level(level);

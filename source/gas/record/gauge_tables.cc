@@ -195,7 +195,7 @@ namespace
   }
 
 
-  /// What each of air_injury_quantities is.
+  /// Definitions of air_injury_quantities.
   std::array<std::string, 5> air_injury_definitions(const double body_mass)
   {
     return {
@@ -286,7 +286,7 @@ std::array<double, 5> air_injury_values(const AirBlast &air,
   const AirInjury least = injury_of(shortest), injury = injury_of(longest);
   const bool is_known =
     !air.is_cut && !air.exposure.goes_on() && say_the_same(least, injury);
-  // Of a phase that goes on at the end of the run, only the end is unknown.
+  // If a phase continues at the end of the run, only its end is unknown.
   constexpr double endless = 1e3, harmless = 1e-3;
   const double bound = injury_of(endless).lung_lethality;
   return {{is_known ? injury.lung_exposure : unknown,

@@ -69,7 +69,7 @@ namespace
   }
 
 
-  /// The pressure of the Riemann problem between the gas beside a facet and
+  /// The pressure of the Riemann problem between the gas next to a facet and
   /// its mirror image [Pa].
   template <int dim, typename Gas>
   double wall_pressure(const typename WallFacets<dim>::Facet &facet,

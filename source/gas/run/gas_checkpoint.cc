@@ -182,7 +182,7 @@ namespace
   }
 
   /// Gives each rank the leaves that it had, if they were saved by as many
-  /// ranks and none had none: then sums over the ranks go on with the same last
+  /// ranks and none had none: then sums over the ranks keep the same last
   /// bits. p4est cuts behind the leaves where the sum of the weights reaches
   /// multiples of its mean over the ranks.
   template <int dim>

@@ -20,7 +20,7 @@ namespace
 
   /// Gravity [m/s^2].
   constexpr double gravity = 9.81;
-  /// Of air at 288 K [Pa s], and thermal diffusivity over viscosity [-].
+  /// Viscosity of air at 288 K [Pa s], and thermal diffusivity over it [-].
   constexpr double viscosity_of_air = 1.8e-5;
   constexpr double inverse_prandtl_number = 1.4;
 
@@ -234,7 +234,7 @@ double ModellingPlan<dim>::earliest_return(const ReflectedPath<dim> &path) const
     energy_of_wave(path.length, [&](const unsigned int wall) {
       const unsigned int d = wall / 2;
       const double place = place_of_side(wall);
-      // By a side opposite to the wall, the way begins beside the wall.
+      // By a side opposite to the wall, the way begins next to the wall.
       return d == path.side / 2 ? std::abs(path.image[d] - path.gauge[d]) +
                                     std::abs(place - centre[d])
                                 : std::abs(place - path.gauge[d]);
@@ -300,13 +300,13 @@ void ModellingPlan<dim>::measure_return(const Measurements &measured,
       (back > measured.time ? earliest_reflection : first_reflection) +
       place_of(path.gauge);
   }
-  // What is measured is too late: the estimate stands.
+  // The measured time is too late: the estimate stands.
   if (expected < std::min(item.value, end_time))
   {
     item.quantity = first_reflection + place_of(disturbed);
     item.value = unknown;
   }
-  // What comes after a run that has stopped is not known of the whole one.
+  // A return after the end of a stopped run is not known of the whole one.
   else if (item.value > measured.time && measured.time < end_time * (1. - 1e-9))
     item.value = unknown;
 }

@@ -141,7 +141,7 @@ namespace
 
   constexpr double far = 10.; // beyond any person [m]
 
-  /// What a cube of edge 2 far around a place leaves of a shape.
+  /// Part of a shape within a cube of edge 2 far around a place.
   ShapePointer cut(const ShapePointer &shape, const Point<3> &middle)
   {
     return std::make_shared<Intersection>(

@@ -41,7 +41,7 @@ namespace
     }
   }
 
-  /// What brings the points around a section to the wanted depth.
+  /// Change that brings the points around a section to the wanted depth.
   struct Change
   {
     double factor = 1.; ///< of widths
@@ -198,7 +198,7 @@ SectionWarp with_limb_inside(const SectionWarp &warp,
                              const OrganSurface &organ,
                              const double depth)
 {
-  // What is beside the limb only moves at first.
+  // Parts next to the limb only move at first.
   constexpr unsigned int n_moves = 8, most_steps = 32;
   SectionWarp result = warp;
   for (unsigned int step = 0; step < most_steps; ++step)

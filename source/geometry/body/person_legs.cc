@@ -42,8 +42,8 @@ void PersonLegs::label_halves(const Patch &patch, const double middle)
 
 
 /// Gives what is below the layer @p begin to the leg above it; to both,
-/// divided between them, where it is below both or nothing. What is below
-/// something else, such as a hand beside a seat, belongs to no leg.
+/// divided between them, where it is below both or nothing. A part below
+/// something else, such as a hand next to a seat, belongs to no leg.
 void PersonLegs::label_feet(const unsigned int begin)
 {
   std::array<double, 2> places{{0., 0.}};

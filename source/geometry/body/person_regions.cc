@@ -190,7 +190,7 @@ namespace
   }
 
 
-  /// Finds an arm whose hand touches the body by what is beside the trunk.
+  /// Finds an arm whose hand touches the body by what is next to the trunk.
   void RegionFinder::find_hanging_arm(const unsigned int side)
   {
     const unsigned int height = result_.vertex - sole_;

@@ -236,7 +236,7 @@ namespace
   }
 
 
-  /// An arm from the joint of its shoulder on. What is near the joint belongs
+  /// An arm from the joint of its shoulder on. The part near the joint belongs
   /// to the trunk and is as wide there as the trunk is deep.
   Limb measure_arm(const PersonRegions &regions, const unsigned int side)
   {

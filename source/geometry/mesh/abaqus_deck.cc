@@ -110,7 +110,7 @@ namespace
   /// Whether elements of this type are read; others are left out.
   bool DeckReader::is_wanted(const std::string &type) const
   {
-    // What follows the number of nodes says how the element is integrated.
+    // Letters after the number of nodes say how the element is integrated.
     const bool is_solid = type.rfind("C3D", 0) == 0;
     const std::size_t first = is_solid ? 3 : type.find_first_of("0123456789");
     if (first == std::string::npos)
@@ -168,7 +168,7 @@ namespace
   {
     const std::size_t n_nodes = dimension_ == 3 ? 8 : 4;
     std::size_t next = 0;
-    // Numbers may go on in the next line.
+    // Numbers may continue in the next line.
     if (elements_.empty() || elements_.back().nodes.size() == n_nodes)
       elements_.push_back(
         {whole_number(words[next++]), keyword.option("ELSET"), {}});

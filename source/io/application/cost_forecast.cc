@@ -321,7 +321,7 @@ namespace io
              (trial.lacks_stage ? " before its last stage" : "");
     }
 
-    /// What is known of the cost without trials: no time, nor the steps of a
+    /// Known part of the cost without trials: no time, nor the steps of a
     /// gas, whose speeds are known when it has begun to move, nor the size of a
     /// mesh that changes.
     CostEstimate without_trials(const ApplicationDescription &description,
@@ -340,7 +340,7 @@ namespace io
       return cost;
     }
 
-    /// What a trial would take that is one level finer than the last [s].
+    /// Time of a trial that is one level finer than the last [s].
     double seconds_of_next(const std::vector<Trial> &trials)
     {
       const Trial &last = trials.back();

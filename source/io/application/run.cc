@@ -166,7 +166,7 @@ namespace io
     for (const std::string &line : cost_lines({{description_.name, cost}}))
       show_line(line);
     complete_plan();
-    // Of a part of a scene, which has a plan of its own, warnings are shown.
+    // A part of a scene, which has a plan of its own, shows warnings alone.
     for (const std::string &line : plan_lines(plan_))
       description_.on_cost_estimate ? log_line(line) : show_line(line);
     warn();

@@ -15,7 +15,7 @@ namespace io
 {
   namespace
   {
-    /// What a dataset says about itself.
+    /// Description of a dataset in the file.
     struct Label
     {
       std::vector<const char *> axes;
@@ -72,7 +72,7 @@ namespace io
     }
 
 
-    /// Of a file or dataset.
+    /// Writes an attribute of a file or dataset.
     void write_attribute(const hid_t file,
                          const std::string &name,
                          const hid_t type,

@@ -21,7 +21,7 @@ namespace io
 {
   namespace
   {
-    /// What a command prints, and the status that wait() gives; where it fails,
+    /// Output of a command, and the status that wait() gives; where it fails,
     /// the last line is that of its errors.
     std::pair<std::string, int> output_of(const std::string &command)
     {

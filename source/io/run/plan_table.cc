@@ -247,7 +247,7 @@ namespace io
     for (const Assumption &item : plan)
     {
       const Assumption *found = find_assumption(audit, item.name);
-      // What the run cannot measure has its estimate in the audit.
+      // An item that the run cannot measure has its estimate in the audit.
       if (found == nullptr || !std::isfinite(found->value) ||
           std::isnan(found->limit) ||
           (found->is_estimate &&

@@ -90,7 +90,7 @@ VectorHistory channel_class_filter(const VectorHistory &history,
   const std::vector<double> &times = history.times;
   const double span = times.back() - times.front();
   const double longest = 0.1 / channel_class;
-  // Of a history over hours the filter would change nothing but the memory
+  // In a history over hours the filter would change nothing but the memory
   // that it takes.
   if (span > 1e7 * longest)
     return history;

@@ -32,7 +32,7 @@ namespace
   using dealii::Point;
   using Mesh = dealii::Triangulation<3>;
 
-  /// Of all elements [m], see characteristic_length().
+  /// Least length of all elements [m], see characteristic_length().
   double shortest_length(const HexMesh &mesh)
   {
     HexQuality all;

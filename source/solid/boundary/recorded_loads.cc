@@ -253,7 +253,7 @@ std::string RecordedLoads::warning(const double end_time) const
     if (source_[i] != no_index)
       largest = std::max(largest, {std::abs(factor_ * samples[source_[i]]), i});
   const double left = dealii::Utilities::MPI::max(largest.first, communicator_);
-  // Of the ranks with this pressure, the first one tells its place and sign.
+  // The first rank with this pressure tells its place and sign.
   const unsigned int mine =
     dealii::Utilities::MPI::this_mpi_process(communicator_);
   const unsigned int first = dealii::Utilities::MPI::min(
@@ -284,7 +284,7 @@ void RecordedLoads::measure_impulses()
     if (source_[i] != no_index)
       mapped_areas[source_[i]] += areas_[i];
   std::vector<double> impulse(reader_->n_facets(), 0.); // per area
-  // Of each sample, on the recorded surface and on that of this rank.
+  // Impulses of each sample, on the recorded surface and on that of this rank.
   std::vector<Tensor<1, 3>> recorded(ends.size()), mapped(ends.size());
   for (std::size_t first = 0; first < ends.size(); first += samples_at_once)
   {

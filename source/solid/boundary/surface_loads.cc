@@ -282,7 +282,7 @@ double SurfaceLoads::pressure_near(const Point<3> &point,
   for (const Facet &facet : facets_)
     nearest = std::min(nearest, facet.middle.distance(point));
   nearest = dealii::Utilities::MPI::min(nearest, communicator);
-  // Average over equally near facets, as beside a symmetry plane; add several
+  // Average over equally near facets, as next to a symmetry plane; add several
   // loads on one facet.
   std::vector<double> sums(2, 0.);
   std::set<std::size_t> numbers;

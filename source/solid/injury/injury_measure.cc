@@ -48,7 +48,7 @@ void apply(const OwnThresholds &own, std::vector<InjuryMeasure> &measures)
         const InjuryCriterion criterion = own.criterion(name);
         const std::string published = injury_criterion(name).limits;
         measure.threshold = criterion.in_words();
-        // What else was said of the measure stays.
+        // Other limits of the measure stay.
         measure.limits.replace(
           measure.limits.find(published), published.size(), criterion.limits);
       }
