@@ -33,7 +33,7 @@ def roff(text, width=78):
 
 
 def literal(text):
-    """What is typed as it stands: its hyphens are minus signs."""
+    """Text to be typed as it stands: its hyphens are minus signs."""
     return roff(text, 10000).replace("-", "\\-").replace('"', "\\(dq")
 
 
@@ -43,7 +43,7 @@ def printed(program, *words):
 
 
 def date_of_changes():
-    """Of the newest section of the changelog, as YYYY-MM-DD."""
+    """Date of the newest section of the changelog, as YYYY-MM-DD."""
     with open(os.path.join(HERE, "..", "..", "CHANGELOG.md"),
               encoding="utf-8") as file:
         words = re.search(r"^### .*\((.+)\)$", file.read(), re.M)[1]
@@ -74,7 +74,7 @@ def sections_of(tree, path=()):
 
 
 def facts_of(program, folder, about):
-    """What the templates know of a program."""
+    """Facts on a program for the templates."""
     path = os.path.join(folder, program)
     help_text = printed(path, "--help")
     sections = sections_of(json.loads(printed(path, "--print-parameters=json")))
@@ -85,7 +85,7 @@ def facts_of(program, folder, about):
 
 
 def completed_entries(sections):
-    """Of each entry its path, and what may stand behind it."""
+    """Path of each entry, and the values that may stand behind it."""
     return [(section + "/" + name if section else name,
              "|".join(entry.get("choices") or [entry["default_value"]]))
             for section, entries in sections for name, entry in entries]

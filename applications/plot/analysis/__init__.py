@@ -1,3 +1,3 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Contrecoup authors
-"""What histories and fields say: arrivals, peaks, paths."""
+"""Facts from histories and fields: arrivals, peaks, paths."""

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Contrecoup authors
-"""Pressures before and behind in a head beside what experiments in shock tubes
-saw."""
+"""Pressures before and behind in a head, next to those that experiments in
+shock tubes saw."""
 
 import numpy as np
 
@@ -58,9 +58,9 @@ def listed(values):
 
 
 def judge(coup, contrecoup, step, dip=CAVITATION):
-    """What the experiments saw, what these pressures [Pa] at equal @p step [s]
-    have, and whether it agrees: rows of two texts and a truth value. @p dip is
-    required_dip()."""
+    """Findings of the experiments, those of these pressures [Pa] at equal
+    @p step [s], and whether they agree: rows of two texts and a truth value.
+    @p dip is required_dip()."""
     begins = [first_time(p, ONSET) for p in (coup, contrecoup)]
     delay = None if None in begins else 1e3 * step * (begins[1] - begins[0])
     first = [contrecoup[i] for i in swings(contrecoup)[:1]]

@@ -28,8 +28,8 @@ def part_at(gauge):
 
 def axes(scene):
     """Where the person's front, left side and head point to, as rows; None of a
-    body without sides of its own. Of stages that were run one by one by their
-    entries."""
+    body without sides of its own. For stages that were run one by one they are
+    by their entries."""
     known = scene.facts.get("person") or {}
     entries = scene.biomechanics.parameters
     if not scene.facts and entries.get("Mesh/Kind") == "body":

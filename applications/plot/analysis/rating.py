@@ -99,7 +99,7 @@ def slope(reference, values):
 
 
 def rate(reference, values):
-    """Rating of values beside a reference, at the same equal steps of time.
+    """Rating of values against a reference, at the same equal steps of time.
     Raises ValueError for a reference that does not change."""
     if np.ptp(reference) <= 0.:
         raise ValueError("the reference does not change over time")

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Contrecoup authors
-"""What histories say: arrivals, phases, peaks."""
+"""Facts from histories: arrivals, phases, peaks."""
 
 import numpy as np
 

@@ -17,7 +17,7 @@ NAMES = {SOFT: "soft tissue", SKIN: "skin", SKELETON: "skeleton",
 OTHER = "other tissue"
 THIN = " †"  # of tissues in whose layers the elements leave holes
 NEAR = 0.07  # m, from a named place of the skin
-# What scene calls places, what a report calls them, and their tissue.
+# Names of places in scene, those in a report, and their tissue.
 GIVEN = {"coup": ("brain, coup", BRAIN),
          "contrecoup": ("brain, contrecoup", BRAIN),
          "brain": ("brain, inside", BRAIN), "skull": ("skull", SKELETON),
@@ -26,7 +26,7 @@ GIVEN = {"coup": ("brain, coup", BRAIN),
 
 
 def names(scene):
-    """Of tissues by their numbers, with those that the user defined."""
+    """Names of tissues by their numbers, with those that the user defined."""
     known = dict(NAMES)
     path = scene.anatomy.path("parts.csv")
     if os.path.exists(path):

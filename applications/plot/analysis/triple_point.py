@@ -135,9 +135,9 @@ def sonic_range(ranges, mach):
 
 
 class Path:
-    """Of the triple point: times [s], ground ranges and heights [m], which of
-    them are early, and the coefficients of a parabola through the early ones,
-    the range over the height."""
+    """Path of the triple point: times [s], ground ranges and heights [m],
+    which of them are early, and the coefficients of a parabola through the
+    early ones, the range over the height."""
 
     def __init__(self, points, height):
         self.times, self.ranges, self.heights = np.array(points).T

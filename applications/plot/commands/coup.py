@@ -23,7 +23,7 @@ from plot.figures import body_cuts, style
 
 
 def least_pressure(output_folder):
-    """Of the tissues that cavitate [Pa]; None if there are none."""
+    """Least pressure of the tissues that cavitate [Pa]; None without such."""
     path = os.path.join(output_folder, "parameters.prm")
     if not os.path.exists(path):
         return None

@@ -23,7 +23,7 @@ NORMAL = np.array([-0.8, 0.6])
 
 
 class Line:
-    """What one step does in the leaf with the strongest jump of the pressure
+    """Effect of one step in the leaf with the strongest jump of the pressure
     along the upper side of the domain: n subcells of the leaf and two of each
     neighbour, of equal size. Nothing flows through the last face of the domain,
     so that sums of changes of the density are mass fluxes, means of the step
@@ -96,7 +96,7 @@ def pick_adaptation(states):
 
 
 def pick_step(states, time):
-    """The first output after a time from which a step goes on with the same
+    """The first output after a time from which a step continues with the same
     leaves."""
     for number in range(len(states) - 1):
         if states[number].time >= time and \

@@ -16,7 +16,7 @@ from plot.figures.body_views import NAMELESS
 TISSUE_COLOURS = ["#ffffff", "#e8b9a0", "#c98d70", "#f2ecd9", "#d98cb3",
                   "#a6458a", "#8ecae6", "#7fb7a4", "#b5362f", "#7d3c2a",
                   "#5aa9e6", "#f4d58d", "#9aa5b1"]
-# Of the user's new tissues, which have the numbers from there on.
+# Colours of the user's new tissues, which have the numbers from there on.
 NEW_COLOURS = ["#3d8b37", "#c44e9c", "#e07b00", "#46537a", "#a3b830"]
 # Name of a view, axes to the right and up with signs, and the axis of depth
 # with the sign that points to the eye.
@@ -105,7 +105,7 @@ def draw_cut(axis, mesh, normal, place):
 
 
 def colour_of(tissue):
-    """Of a tissue by its number."""
+    """Colour of a tissue by its number."""
     beyond = int(tissue) - len(TISSUE_COLOURS)
     return TISSUE_COLOURS[tissue] if beyond < 0 \
         else NEW_COLOURS[beyond % len(NEW_COLOURS)]
@@ -115,7 +115,7 @@ def draw_cuts(mesh, names, path):
     low = mesh["points"].min(axis=0)
     high = mesh["points"].max(axis=0)
     size = high - low
-    # Just beside the planes of symmetry, where no element has its faces.
+    # Just next to the planes of symmetry, where no element has its faces.
     middle = 0.5 * (low + high) + 1e-4 * size
     tall = size[2] > 2. * size[1]
     cuts = [(1, middle[1]), (0, middle[0]), (2, middle[2])]

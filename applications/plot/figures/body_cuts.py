@@ -18,7 +18,7 @@ HEAD = 0.3  # height of what is drawn of a head [m]
 
 
 def limits(shapes, head_only):
-    """Of polygons, or of those in their upper part, left and right, bottom and
+    """Limits of polygons, or of their upper part: left and right, bottom and
     top."""
     points = np.concatenate([shape.reshape(-1, 2) for shape in shapes])
     top = points[:, 1].max()
@@ -29,7 +29,7 @@ def limits(shapes, head_only):
 
 
 def draw_pressures(panels, head_only, path):
-    """What cut_fields() gave, of the whole body or of its upper HEAD."""
+    """Draws panels of cut_fields(), of the whole body or of its upper HEAD."""
     across, (low, top) = limits([shape for _, shape, _ in panels], head_only)
     shown = [values[shape[:, :, 1].max(axis=1) > low]
              for _, shape, values in panels]

@@ -210,7 +210,7 @@ def draw_gauges(gauges, loads, views, path):
 
 
 def gauges_figure(gauges, loads, views, measures=None):
-    """A panel for each place; the body with the places beside them. @p
+    """A panel for each place; the body with the places next to them. @p
     measures: those of gauge_measures.csv by place, whose peaks are of every
     step."""
     names = gauges.others("time")
@@ -298,7 +298,7 @@ def _draw_places(figure, loads, views, names):
             names_here.sort(key=lambda name: -spots[name][1])
             level = np.inf
             for name in names_here:
-                # Numbers stand beside the body, apart from each other.
+                # Numbers stand next to the body, apart from each other.
                 level = min(spots[name][1], level - 0.06 * height)
                 # Hollow where it is behind what is seen.
                 axis.plot(*spots[name], marker="o", markersize=3.5,

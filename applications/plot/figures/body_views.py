@@ -15,7 +15,7 @@ from plot.readers.loads import mirror_planes
 VIEWS = [("front", (1, 1), (2, 1), (0, 1)), ("left", (0, -1), (2, 1), (1, 1)),
          ("back", (1, -1), (2, 1), (0, -1)),
          ("right", (0, 1), (2, 1), (1, -1))]
-# What the sides of a body are called that has none of its own.
+# Names of the sides of a body that has none of its own.
 NAMELESS = ("from +x", "from +y", "from −x", "from −y")
 GAP = 0.06  # between two views, over the height
 # By which the load on another side exceeds that on the front, with face and
@@ -104,7 +104,7 @@ class BodyViews:
         return self.sides[side].paint(values, norm, colours)
 
     def means(self, values):
-        """What all views show of values by facet."""
+        """Means of values by facet that all views show."""
         means = np.concatenate([side.mean(values[side.facets]).ravel()
                                 for side in self.sides])
         return means[np.isfinite(means)]
@@ -117,7 +117,7 @@ class BodyViews:
 
     def loaded_sides(self, loads):
         """The side towards which the facets with the largest loads look, and
-        the one of both beside it with the larger load, see MORE."""
+        the one of both next to it with the larger load, see MORE."""
         towards = [np.maximum(view[3][1] * self.normals[:, view[3][0]], 0.)
                    @ loads for view in VIEWS]
         towards[0] *= MORE
@@ -153,7 +153,7 @@ def _spacings(centroids, areas):
 
 
 def _close(picture, known, gaps):
-    """Gives pixels in gaps the colour of one that is known beside them."""
+    """Gives pixels in gaps the colour of one that is known next to them."""
     for _ in range(4):
         for step, axis in ((1, 0), (-1, 0), (1, 1), (-1, 1)):
             here = gaps & np.roll(known, step, axis)
@@ -260,7 +260,7 @@ class _Side:
             return (sums / total).reshape(self.shape)
 
     def _shade(self, normals, numbers):
-        """Brightness of a body that is lit from above beside the eye."""
+        """Brightness of a body that is lit from above and left of the eye."""
         lamp = np.zeros(3)
         lamp[self.depth[0]] = 0.8 * self.depth[1]
         lamp[self.up[0]] = 0.45 * self.up[1]
@@ -273,7 +273,7 @@ class _Side:
 
     def paint(self, values, norm, colours):
         """Red, green, blue; grey without values, BARE of skin without gas,
-        white beside the body."""
+        white next to the body."""
         picture = np.ones(self.shape + (3,))
         body = self.total.reshape(self.shape) > 0.
         grey = np.full(self.shape + (3,), 0.8)

@@ -150,7 +150,7 @@ def _add_arrows(axis, run, cut, is_relative, largest):
         along = away @ direction
         beside = np.linalg.norm(away - along[:, None] * direction, axis=1)
         beside[along <= 0.] = np.inf
-        # Of the cells that this direction meets that in the middle.
+        # The middle one of the cells that this direction meets.
         here = np.flatnonzero(beside <= 1.5 * beside.min())
         chosen.append(here[np.argsort(along[here])[len(here) // 2]])
     chosen = np.unique(chosen)

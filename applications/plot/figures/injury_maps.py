@@ -78,8 +78,8 @@ def _area_where(plane, chosen):
 
 
 def _widths(low, high, points):
-    """Of what is nearest to each of the gauges, the first and last of which are
-    at the ends."""
+    """Widths of the parts nearest to each of the gauges, the first and last of
+    which are at the ends."""
     widths = np.full(points, (high - low) / max(points - 1, 1))
     if points > 1:
         widths[[0, -1]] /= 2.

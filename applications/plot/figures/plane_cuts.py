@@ -24,7 +24,7 @@ def _name(plane):
 
 
 def _shown(plane, background):
-    """What is drawn: overpressure for a pressure, else the quantity."""
+    """Values to draw: overpressure for a pressure, else the quantity."""
     if plane.quantity == "pressure":
         return plane.values - background
     return plane.values

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Contrecoup authors
-"""Pictures of several radial blasts beside one another."""
+"""Pictures of several radial blasts next to one another."""
 
 import matplotlib.pyplot as plt
 

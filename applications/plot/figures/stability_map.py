@@ -31,7 +31,7 @@ def judged(row, study):
 
 
 def letter_of(row, kind):
-    """What stands in a cell of the map: error, number of retries, letter."""
+    """Text in a cell of the map: error, number of retries, letter."""
     text = OUTCOMES[kind][1]
     if row["outcome"] == "retried":
         text = f"{row['retries']:.0f}"

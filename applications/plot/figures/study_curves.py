@@ -12,7 +12,7 @@ from plot.figures import style, work_precision
 
 MOST_PANELS, MOST_COLUMNS = 12, 3
 # Axes whose numbers span more than this factor are logarithmic, unless the smallest
-# are nothing beside the largest, as are probabilities of what does not happen.
+# are nothing next to the largest, as probabilities of what does not happen.
 LOGARITHMIC_X, LOGARITHMIC_Y = 4., 10.
 NOTHING = 1e-6
 
@@ -138,7 +138,7 @@ def is_lower_limit(row, column):
 
 
 def mark_lower_limit(axis, x, y, is_negative):
-    """An arrow to where the output may go on to; returns it."""
+    """An arrow to where the output may continue; returns it."""
     arrow, offset, side = ("↓", -3, "top") if is_negative else (
         "↑", 3, "baseline")
     axis.annotate(arrow, (x, y), (0, offset), ha="center", va=side,

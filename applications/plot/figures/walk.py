@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Contrecoup authors
-"""What a shock, the mesh and a body look like to the code: subcells of leaves,
+"""Views of the code on a shock, the mesh and a body: subcells of leaves,
 their reconstruction and fluxes, adaptation, cut cells, a recorded load."""
 
 import matplotlib.pyplot as plt
@@ -63,7 +63,7 @@ def limited(backward, forward):
 
 
 def draw_step(line, picture):
-    """What a step does in a leaf; see commands.walk.Line."""
+    """Draws the effect of a step in a leaf; see commands.walk.Line."""
     n, x, edge = line.n, line.x, line.edge
     figure, (above, below) = plt.subplots(2, 1, sharex=True,
                                           figsize=(5.8, 4.6))

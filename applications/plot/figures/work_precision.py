@@ -19,8 +19,8 @@ COSTS = {"core seconds": "cost [core seconds]", "wall seconds": "wall time [s]",
 
 
 def error_label(study, width):
-    """What the error is, in lines of so many letters; the group of a measure in
-    summary.json says nothing to a reader."""
+    """Name of the error, in lines of so many letters; the group of a measure
+    in summary.json says nothing to a reader."""
     words = re.sub(r"\b(results|checks|assumptions|errors|conservation|performance)\.", "",
                    study["error"])
     return "\n".join(textwrap.wrap(words, width))

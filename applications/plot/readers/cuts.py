@@ -11,7 +11,7 @@ TETRAHEDRA = np.array([(0, 1, 3, 7), (0, 3, 2, 7), (0, 2, 6, 7),
 
 
 def cut_particles(points, axis, is_mirror, spacing, shown):
-    """Squares around the layer of particles beside a plane through the origin
+    """Squares around the layer of particles next to a plane through the origin
     normal to @p axis, and their numbers."""
     distance = points[:, axis] if is_mirror else \
         np.abs(points[:, axis] - 0.25 * spacing)

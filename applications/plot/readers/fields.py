@@ -68,8 +68,8 @@ def read_turned(piece, axes):
 
 
 def cut_fields(fields, place, axes=np.eye(3)):
-    """Of each output the time, and of the cells that the plane at a place along
-    the second axis cuts polygons, of the two others, and pressures, averaged
+    """Time of each output, and, of the cells that the plane at a place along
+    the second axis cuts, polygons, of the two others, and pressures, averaged
     ones if there are."""
     panels = []
     for time, pieces in fields:
@@ -87,7 +87,7 @@ def cut_fields(fields, place, axes=np.eye(3)):
 
 
 def cut_values(pieces, place, name, axes=np.eye(3)):
-    """Of one output polygons and a quantity of the cells that this plane cuts;
+    """Polygons and a quantity of the cells of one output that this plane cuts;
     None for a quantity that it does not have."""
     polygons, values = [], []
     for piece in pieces:

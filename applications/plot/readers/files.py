@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Contrecoup authors
-"""What all readers use: objects, rows and numbers, and the one line that names
+"""Tools of all readers: objects, rows and numbers, and the one line that names
 a file which cannot be read."""
 
 import contextlib

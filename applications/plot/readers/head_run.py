@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Contrecoup authors
-"""What a run of head_impact with a head left on the disk: its layers, the plane
+"""Output on disk of a run of head_impact with a head: its layers, the plane
 that it hits, its histories, cuts through its fields."""
 
 import os
@@ -19,13 +19,13 @@ PUBLISHED_TIMES = (1e-4, 5e-4, 1e-3, 5e-3)
 PUBLISHED_FLOW_TIMES = (1e-3, 5e-3)
 PUBLISHED_SIZES = {"Semi-axes": 0.08, "CSF thickness": 0.004,
                    "Skull thickness": 0.007}
-# Of an impact: what its cuts show.
+# States of an impact that its cuts show.
 STATES = ("first contact", "largest force", "rebound", "end of contact")
 FLOW_STATES = STATES[1::2]
 LEAST_PANELS = 4
-# Beside a plane of symmetry, where cells have a face, over the head's size.
+# Gap to a plane of symmetry, where cells have a face, over the head's size.
 BESIDE = 1e-4
-# What layers are called as tissues of a file.
+# Names of layers as tissues of a file.
 LAYERS = {"cerebrospinal fluid": "csf", "skeleton": "skull"}
 
 
@@ -45,9 +45,9 @@ class Plane:
 
 
 class Cut:
-    """What a plane cuts of the cells at one time: polygons in the plane, cells
-    that they belong to, and the fields in these cells; "carried" is the velocity
-    that the skull has there as a rigid body."""
+    """Cut of a plane through the cells at one time: polygons in the plane,
+    cells that they belong to, and the fields in these cells; "carried" is the
+    velocity that the skull has there as a rigid body."""
 
     def __init__(self, time, polygons, values, centres):
         self.time, self.polygons = time, polygons
@@ -133,8 +133,8 @@ class HeadRun(Stage):
         return momentum @ self.impact().normal / self.history["mass"]
 
     def contact(self, name):
-        """What the summary says of the contact, of every step; None if nothing
-        touched the planes, and of the end of a contact that lasts."""
+        """A result of the summary on the contact, of every step; None if
+        nothing touched the planes, and for the end of a contact that lasts."""
         return self.found("results", name)
 
     def is_cut_off(self):
@@ -217,7 +217,7 @@ class HeadRun(Stage):
         return [chosen[time] for time in sorted(chosen)]
 
     def picked_flow(self, cuts):
-        """Of Cuts of what was picked those to show the flow of the CSF: of the
+        """Those of the picked Cuts that show the flow of the CSF: of the
         published impact at times of its pictures, else of FLOW_STATES; the
         last two where there are none."""
         if self.is_published():
@@ -249,7 +249,7 @@ class HeadRun(Stage):
         return self.parameters.get("Method") == "mpm"
 
     def spacing(self):
-        """Of particles at the start [m]."""
+        """Spacing of particles at the start [m]."""
         size = (self.parameter("MPM/Cell size") or [0.])[0]
         return size / max(self.parameter("MPM/Particles a cell") or [1.])
 

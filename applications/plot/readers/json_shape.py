@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Contrecoup authors
-"""What is expected of the JSON files of a scene: which of what they hold
-are numbers, words, lists and objects. What is missing or null is unknown; what
-is of another kind is an error of the file."""
+"""Expected contents of the JSON files of a scene: which of what they hold
+are numbers, words, lists and objects. A value that is missing or null is
+unknown; one of another kind is an error of the file."""
 
 import json
 import math
@@ -112,6 +112,6 @@ def check(value, shape, name=""):
     elif isinstance(shape, dict):
         for key, item in value.items():
             wanted = shape.get(key, shape.get("*"))
-            # What nobody here reads may be anything.
+            # A value that nobody here reads may be anything.
             if wanted is not None:
                 check(item, wanted, f"{name}/{key}" if name else key)

@@ -23,7 +23,7 @@ def subcell_values(n):
 class Leaves:
     """The leaves of one output: lower corners and edge lengths [m], levels, and
     the means of subcells as arrays [leaf, y, x]: density [kg/m^3], momentum_x
-    [kg/(m^2 s)], pressure [Pa], and the open fraction beside a body."""
+    [kg/(m^2 s)], pressure [Pa], and the open fraction next to a body."""
 
     def __init__(self, time, path, n, gamma):
         self.time, self.n = time, n
@@ -53,14 +53,14 @@ class Leaves:
             self.open[self.open < 1e-6] = 0.
 
     def centres(self):
-        """Of subcells, as [leaf, y, x, direction] [m]."""
+        """Centres of subcells, as [leaf, y, x, direction] [m]."""
         place = (np.arange(self.n) + 0.5) / self.n
         x, y = np.meshgrid(place, place)
         return (self.corners[:, None, None]
                 + self.edges[:, None, None] * np.stack([x, y], axis=-1))
 
     def keys(self):
-        """What tells leaves apart, in the order of leaves."""
+        """Keys that tell leaves apart, in the order of leaves."""
         return [(int(level), *np.round(corner / edge).astype(int))
                 for level, corner, edge in zip(self.levels, self.corners,
                                                self.edges)]

@@ -42,7 +42,7 @@ class Loads:
                                  f"of {' x '.join(map(str, shape))} numbers")
 
     def _corners(self):
-        """Of facets in space: vertices [m], and those of each facet in order;
+        """Vertices of facets in space [m], and those of each facet in order;
         none of either in files without. Raises ValueError for others."""
         if self.is_flat or "vertex" not in self.file:
             return np.zeros((0, 3)), []
@@ -66,8 +66,8 @@ class Loads:
         return self.file["arrival"][:] > 0.
 
     def measure(self, name):
-        """Of all facets, not a number where the blast does not arrive; files
-        of before have zeros there."""
+        """Values of all facets, not a number where the blast does not arrive;
+        files of before have zeros there."""
         return np.where(self.arrived(), self.file[name][:], np.nan)
 
     def largest(self, name):
@@ -89,7 +89,7 @@ class Loads:
             np.argmax(np.nan_to_num(self.measure(name)))])
 
     def first_arrival(self):
-        """Of the blast at any facet [s], or None."""
+        """First arrival of the blast at any facet [s], or None."""
         times = self.file["arrival"][self.arrived()]
         return float(times.min()) if times.size else None
 

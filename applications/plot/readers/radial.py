@@ -13,7 +13,7 @@ from plot.readers import profiles, tables, vtk_file
 from plot.readers.files import BrokenInput, reading
 
 FOOT, TOP = 0.1, 0.9  # of the shock's overpressure, between which is its width
-# Fields between two of which the shock goes on by more than this part of the
+# Fields between two of which the shock advances by more than this part of the
 # radius cannot tell a peak there.
 COARSEST = 0.02
 

@@ -16,7 +16,7 @@ class RigidMotion:
         away = places - self.centre
         inertia = (masses @ np.sum(away**2, axis=1)) * np.eye(3) \
             - (masses * away.T) @ away
-        # Of least norm, as points on one line have any rotation about it.
+        # Rotation of least norm, as points on one line have any about it.
         self.rotation = np.linalg.lstsq(
             inertia, masses @ np.cross(away, velocities), rcond=None)[0]
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Contrecoup authors
-"""What a scene left in its output folder. Whatever is missing is None or empty;
-what is there and cannot be read is a BrokenInput."""
+"""Results of a scene in its output folder. Whatever is missing is None or
+empty; what is there and cannot be read is a BrokenInput."""
 
 import os
 
@@ -67,8 +67,8 @@ class Scene:
         return files.as_number(self.facts.get(name))
 
     def table_answer(self, name, where="answer"):
-        """What the tables say of a person in the open and before a wall, of
-        scene.json; None each where they do not."""
+        """Values of the tables for a person in the open and before a wall, of
+        scene.json; None each where they have none."""
         known = (self.facts.get("tables") or {}).get(where) or {}
         return tuple(files.as_number((known.get(place) or {}).get(name))
                      for place in ("in_the_open", "before_a_wall"))
@@ -118,8 +118,8 @@ class Scene:
         return self.facts.get("body") == "mesh"
 
     def _number(self, name, stage, entry):
-        """Of scene.json; of what a stage was given where that is missing, for
-        stages that were run one by one."""
+        """A number of scene.json; where that is missing, of the entries of a
+        stage, for stages that were run one by one."""
         known = self.fact(name)
         return (stage.parameter(entry) or [None])[0] if known is None \
             else known
@@ -176,7 +176,7 @@ class Scene:
                 if cuts[0].quantity == "pressure"}
 
     def gauge_planes(self):
-        """What the blast did in planes of gauges: by plane, one Plane by
+        """Maps of the blast in planes of gauges: by plane, one Plane by
         quantity."""
         return read_gauge_planes(self.blast)
 
@@ -219,7 +219,7 @@ class Scene:
 
 
 class CoarserRun:
-    """What the run with larger cells and elements found."""
+    """Results of the run with larger cells and elements."""
 
     def __init__(self, blast, biomechanics):
         self.blast, self.biomechanics = blast, biomechanics

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Contrecoup authors
-"""What a run left in its output folder. Whatever is missing is None or empty;
+"""Results of a run in its output folder. Whatever is missing is None or empty;
 what is there and cannot be read is a BrokenInput."""
 
 import os

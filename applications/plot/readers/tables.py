@@ -72,7 +72,7 @@ def probe_pressures(folder, names):
 
 
 def open_references(folder):
-    """What the reference of a run says of each probe, by the probe's name:
+    """Values of a run's reference at each probe, by the probe's name:
     quantities such as peak_overpressure and arrival."""
     path = os.path.join(folder, "summary.json")
     known = files.read_json(path, json_shape.SUMMARY).get("results", {})

@@ -9,7 +9,7 @@ import zlib
 import numpy as np
 
 _WORDS = {"UInt32": np.uint32, "UInt64": np.uint64}
-# What broken files make of these.
+# Exceptions raised for damaged files.
 _BROKEN = (ValueError, IndexError, KeyError, AttributeError, TypeError,
            OverflowError, xml.ParseError, zlib.error)
 
@@ -85,7 +85,7 @@ class Image:
 
 
 def _numbers(text):
-    """Of an attribute or element; a ValueError if not finite."""
+    """Numbers of an attribute or element; a ValueError if not finite."""
     values = [float(word) for word in text.split()]
     if not np.isfinite(values).all():
         raise ValueError(f"{text} is not finite")
@@ -132,7 +132,7 @@ def _deal_arrays(path):
 
 
 def read_points(path):
-    """Of a file by deal.II: "points" and fields by name, as points x
+    """Arrays of a file by deal.II: "points" and fields by name, as points x
     components. A ValueError names a file that is no such one."""
     try:
         return _deal_arrays(path)
@@ -141,9 +141,9 @@ def read_points(path):
 
 
 def read_cells(path):
-    """Of a file by deal.II whose cells have eight points each, which follow
-    each other: "points" and fields by name, as cells x 8 x components. A
-    ValueError names a file that is no such one."""
+    """Arrays of a file by deal.II whose cells have eight points each, which
+    follow each other: "points" and fields by name, as cells x 8 x components.
+    A ValueError names a file that is no such one."""
     try:
         return {name: values.reshape(-1, 8, values.shape[1])
                 for name, values in _deal_arrays(path).items()}

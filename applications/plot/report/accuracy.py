@@ -244,7 +244,7 @@ def cost(scene):
 
 
 def cost_table(rows):
-    """Of cost_row()s."""
+    """Table of cost_row()s."""
     return page.table(
         ("stage", "status", "wall time", "core time", "memory", "disk",
          "size"), rows, "Other work on the machine lengthens the wall time, "
@@ -252,7 +252,7 @@ def cost_table(rows):
 
 
 def cost_row(name, told, stage):
-    """What a stage took."""
+    """Costs of a stage."""
     summary = stage.summary if stage else {}
     spent = (summary.get("performance") or {}) | {
         "wall_seconds": summary.get("wall_seconds")}

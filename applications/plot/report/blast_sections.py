@@ -14,8 +14,8 @@ from plot.report import (error_estimate, injury_thresholds, least_phases, page,
                          reflections, unfinished)
 from plot.report.injury_thresholds import KNOWN
 
-# Of maps of people: the measure with thresholds, what it is called, and the
-# level whose area is told, with what happens there.
+# Maps of people: the measure with thresholds, its name, and the level whose
+# area is told, with what happens there.
 PEOPLE = {
     "lung_lethality": ("lung_lethality", "death by lung injury", 0.5,
                        "half of the people would die"),
@@ -65,7 +65,7 @@ def _cuts_body(scene, axis, place):
 
 
 def people(scene):
-    """What the blast would do to people in planes of gauges; nothing where no
+    """Effects of the blast on people in planes of gauges; nothing where no
     such plane was asked for."""
     known = injury_thresholds.of_run(scene)
     own = {name: known[measure].thresholds for name, (measure, *_)
@@ -363,7 +363,7 @@ def _gauge_table(scene, gauges):
 
 
 def _gauge_errors(scene, gauges):
-    """Of the table of gauges, a row each."""
+    """Errors of the table of gauges, a row each."""
     errors = error_estimate.of_scene_gauges(scene)
     if not errors:
         return page.paragraph("The numerical errors of this table are unknown: "

@@ -130,7 +130,7 @@ def _tissues_at(scene, pieces, place, axes):
 
 
 def _top(scene, frame):
-    """What is drawn of a body with a brain, in words."""
+    """Drawn part of a body with a brain, in words."""
     if scene.facts.get("body") not in ("shape", "mesh"):
         return "head"
     return "top of the body" if frame.height > body_cuts.HEAD else "body"
@@ -317,7 +317,7 @@ def energy(scene):
     known = [(name, text) for name, text in ENERGIES if name in history]
     work = max(abs(float(history["external_work"][-1])), 1e-300)
     audit = EnergyAudit(scene)
-    # Of the missing energy the fraction is that of the audit above.
+    # The fraction of the missing energy is that of the audit above.
     rows = [(text, page.quantity(float(history[name][-1]), "J", 4),
              "–" if name == "energy_residual" and audit.is_known() else
              page.percent(float(history[name][-1]) / work, 3))
@@ -401,7 +401,7 @@ def mesh(scene):
 
 
 def organ_volumes(scene):
-    """A table of organs' volumes in elements beside those that they should
+    """A table of organs' volumes in elements next to those that they should
     have, in a list; empty without such."""
     rows = []
     for organ in scene.anatomy.summary.get("organs") or []:

@@ -44,7 +44,7 @@ class EnergyAudit:
             if part > self.largest_hourglass)
 
     def reservations(self):
-        """What is beyond its limit, in a sentence; [] for nothing."""
+        """Energies beyond their limits, in a sentence; [] if none are."""
         found = []
         if self.residual is not None \
                 and abs(self.residual) > self.largest_residual:

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Contrecoup authors
 """The published impact of a simplified head on a rigid wall, statement by
-statement, beside what a run finds: X. G. Tan, R. N. Saunders, A. Bagchi,
+statement, next to what a run finds: X. G. Tan, R. N. Saunders, A. Bagchi,
 COUPLED PROBLEMS 2017, section 3.4."""
 
 import numpy as np
@@ -153,9 +153,9 @@ def _shear(run):
 
 
 def interface_strains(run):
-    """Of the output with the brain's largest shear strain the mean in its cells
-    at the CSF, that in all others, and whether the largest is at the CSF; None
-    without outputs."""
+    """Mean shear strain in the brain's cells at the CSF, that in all others,
+    and whether the largest is at the CSF, of the output with the largest one;
+    None without outputs."""
     largest = None
     for entry in run.picked():
         cells = run.arrays(entry[1])
@@ -178,7 +178,7 @@ def interface_strains(run):
 
 def _near(points, others, spacing):
     """Whether particles have one of others in a box of two spacings around, or
-    in one of those beside it."""
+    in one of those next to it."""
     def boxes(places):
         return np.floor(places.reshape(-1, 3) / (2. * spacing)).astype(int)
 

@@ -49,7 +49,7 @@ def build(run, folder):
 
 
 def warnings(runs):
-    """What runs, by their names, have warned of; empty if nothing."""
+    """Warnings of runs, by their names; empty if there are none."""
     told = [(f"{name}: " if name else "") + text for name, run in runs.items()
             for text in run.summary.get("warnings") or []]
     return page.tag("div", page.tag("h3", "Warnings of the run" + (
@@ -58,7 +58,7 @@ def warnings(runs):
 
 
 def _carriers(run):
-    """What has the values of a run."""
+    """Carriers of the values of a run."""
     return "particles" if run.has_particles() else "cells"
 
 
@@ -95,7 +95,7 @@ def figure(folder, name, drawn, description, caption):
 
 
 def _symmetry(run):
-    """What is computed of the head, in words."""
+    """Computed part of the head, in words."""
     if run.wedge_axis != "none":
         return f"a wedge of the head about {run.wedge_axis}, one cell thick,"
     return ("the whole head", "half of the head", "a quarter of the head",
@@ -129,7 +129,7 @@ def largest_force(run):
 
 
 def answer(run, judged):
-    """What happened, in a few plain sentences."""
+    """Events of the run, in a few plain sentences."""
     mass = float(run.history["mass"][0])
     text = [f"A head of {page.quantity(mass, 'kg')}"]
     if run.planes:
@@ -472,7 +472,7 @@ def _extrema(run):
 
 
 def work_label(run):
-    """What does the external work of history.csv."""
+    """Sources of the external work of history.csv, in words."""
     return "work of planes" + (
         ", body forces and slipping interfaces" if "slip_work" in run.history
         else " and body forces")
@@ -520,7 +520,7 @@ def ledger(run):
 
 
 def false_energies(run):
-    """What only the numerics of particles add or take, in a sentence."""
+    """Energies that the numerics of particles add or take, in a sentence."""
     history = run.history
     largest = float(np.max(np.maximum(history["kinetic_energy"],
                                       np.abs(history["internal_energy"]))))
@@ -578,7 +578,7 @@ def energy(run, folder):
 
 
 def judge(run):
-    """Measures of injury.csv beside their thresholds."""
+    """Measures of injury.csv next to their thresholds."""
     # Thresholds found for blunt impacts are no mere exposure here.
     all_known = {name: known._replace(is_exposure=False) for name, known in
                  injury_thresholds.known_by(run.parameters).items()}
@@ -591,7 +591,7 @@ def judge(run):
 
 
 def measures(run):
-    """What injury.csv holds."""
+    """Contents of injury.csv."""
     return stage.read_measures(run.path("injury.csv"))
 
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Contrecoup authors
-"""What a report begins with: the verdict, the answer of the tables beside it,
+"""Beginning of a report: the verdict, the answer of the tables next to it,
 what could change it, and the warnings of the runs."""
 
 import re
@@ -15,7 +15,7 @@ from plot.report.injury_thresholds import KNOWN, of_run, probability
 
 LARGE_LOAD_DIFFERENCE = 0.02  # of impulses on skin and elements
 LARGE_PUSH_DIFFERENCE = 0.1  # of small differences of large impulses
-# Of items of the audit, for readers who do not know the plan.
+# Words for items of the audit, for readers who do not know the plan.
 WORDS = {"reflection": "arrival of a wave reflected by an open side of the "
          "domain"}
 # Quantities of the comparison with the tables.
@@ -86,7 +86,7 @@ class Lead:
                         page.paragraph(self.opening), kind="answer")
 
     def tables(self):
-        """This run beside the tables of Kingery and Bulmash."""
+        """This run next to the tables of Kingery and Bulmash."""
         if not self.compared:
             return page.missing("an answer of the tables of Kingery and "
                                 "Bulmash, which do not cover this charge and "
@@ -114,7 +114,7 @@ class Lead:
             numbers=(1, 2), data=self.file)
 
     def doubts(self):
-        """What could change the verdict, and the warnings."""
+        """Reservations that could change the verdict, and the warnings."""
         parts = []
         if self.reservations:
             parts += [page.tag("h3", "What could change the verdict"),
@@ -146,7 +146,7 @@ def _height(place):
 
 
 def _heights(scene):
-    """How high the probe beside the body is, and the parts that its wave is
+    """Heights of the probe next to the body and of the parts that its wave is
     compared with, as a sentence; "" where they are level."""
     probe, known = scene.facts.get("probe_beside_body"), scene.loads()
     if not probe or known is None:
@@ -179,7 +179,7 @@ def _opening(scene):
 
 
 def _equivalence(scene):
-    """What the charge is in TNT, in words."""
+    """Equivalence of the charge to TNT, in words."""
     known = scene.facts.get("tables") or {}
     pressure, impulse = (files.as_number(known.get(f"equivalence_of_{name}"))
                          for name in ("pressure", "impulse"))
@@ -193,8 +193,8 @@ def _equivalence(scene):
 
 
 def _compared(scene, judged=()):
-    """Rows of this run beside the tables; of the tables alone where this run has
-    neither a probe as far from the charge as the body nor a gauge there."""
+    """Rows of this run next to the tables; of the tables alone where this run
+    has no probe as far from the charge as the body, nor a gauge there."""
     rows, compared = [], scene.list_of("table_comparison")
     least = least_phases.at_probe(scene)
     for row in _rows(scene):
@@ -227,7 +227,7 @@ def _compared(scene, judged=()):
 
 
 def _title(row):
-    """What a row compares, and where unless that is the place of the table."""
+    """Quantity of a row, and its place unless that is the one of the table."""
     name, place = str(row.get("name")), row.get("place") or PROBE
     if name == "lung_exposure" and place != PROBE:
         return f"load over the 50\u00a0% lethality load at the {place}"
@@ -248,8 +248,9 @@ def _comparison_file(scene):
 
 
 def _rows(scene):
-    """Of table_comparison, with the lungs at the trunk where that is farther from
-    the charge; where no probe has the wave, after the answer of the tables."""
+    """Rows of table_comparison, with the lungs at the trunk where that is
+    farther from the charge; where no probe has the wave, after the answer of
+    the tables."""
     rows = scene.list_of("table_comparison")
     if not rows or _gauge(scene):
         return _answer_rows(scene) + rows
@@ -362,7 +363,7 @@ def _certainty(scene, judged):
 
 
 def _walls(scene, judged):
-    """What walls do to verdicts by curves of a wave in the open."""
+    """Effect of walls on verdicts by curves of a wave in the open."""
     walls = reflections.walls(scene)
     if not walls or not any(entry.name.startswith(("lung_", "chest_wall_"))
                             for entry in judged):
@@ -535,7 +536,7 @@ def _afterburn(scene):
 
 
 def _model_bias(scene):
-    """What the model itself adds to the differences from the tables."""
+    """Contribution of the model itself to the differences from the tables."""
     parts = [f"{'an' if name == 'impulse' else 'a'} {name} "
              f"{page.given(round(abs(100. * bias)), '%')} "
              f"{'below' if bias < 0. else 'above'}"

@@ -24,8 +24,8 @@ SKIN_NAMES = {("chest_wall_velocity", "trunk"): "chest_wall_mean",
               ("lung_exposure", "back"): "lung_exposure_back",
               ("lung_exposure", "left upper arm"): "lung_exposure_left",
               ("lung_exposure", "right upper arm"): "lung_exposure_right"}
-# Of those of probe_injury.csv that are shown, at a probe as far from the charge
-# as the body.
+# Shown measures of probe_injury.csv, at a probe as far from the charge as the
+# body.
 AIR_NAMES = {"lung_exposure": "lung_exposure_air",
              "lung_lethality": "lung_lethality"}
 # Beyond this, relative to the nearest skin, the trunk is not where the probe is.
@@ -34,7 +34,7 @@ FARTHER = 1.15
 NO_INJURY = ("injury_pressure_roughness",)
 PRESSURES = ("injury_intracranial_pressure_peak",
              "injury_intracranial_pressure_lowest")
-# Of the motion of the head as a whole.
+# Measures of the motion of the head as a whole.
 OF_THE_MOTION = ("injury_hic15", "injury_bric")
 TENSIONS = ("injury_cavitating_fraction", "injury_cavitation_dose")
 GROUPS = (("Ears", ("ear_",)),
@@ -147,7 +147,7 @@ def at_trunk(scene):
 
 
 def ears_of_tables(scene, ears):
-    """What the tables have of eardrums in the open and before a wall, at the
+    """Values of the tables on eardrums in the open and before a wall, at the
     distance of the nearer ear; None each where that is unknown."""
     known = scene.table_answer("eardrum_rupture", "ears")
     if None in known:  # as of a scene before 0.2.0
@@ -202,9 +202,10 @@ def has_probe_at_body(scene):
 
 
 def lungs_by(scene):
-    """What tells whether lungs kill: the wave at the "probe" beside the body,
-    the load on the "skin" where there is no such probe or the trunk is farther
-    from the charge than that, as with a charge at the feet, or nothing ("")."""
+    """Basis to judge lungs by: the wave at the "probe" next to the body, the
+    load on the "skin" where there is no such probe or the trunk is farther
+    from the charge than that, as with a charge at the feet, or nothing
+    ("")."""
     if not has_chest(scene):
         return ""
     return "probe" if has_probe_at_body(scene) and not is_trunk_far(scene) \
@@ -246,7 +247,7 @@ def are_far(scene, names):
 
 
 def of_file(name, measure, all_known):
-    """What is known of a Measure of injury.csv, which has its own limits."""
+    """Known facts on a Measure of injury.csv, which has its own limits."""
     known = all_known.get(name, Known(injury_thresholds.title(name), [],
                                       measure.threshold, ""))
     return known._replace(limits=measure.limits or known.limits)

@@ -14,7 +14,7 @@ from plot.readers import files
 
 SEA_LEVEL = 101325.  # Pa
 HERE = os.path.dirname(os.path.abspath(__file__))
-# Beside this file where Contrecoup is installed, beside the code elsewhere.
+# Next to this file where Contrecoup is installed, next to the code elsewhere.
 DATA = [path for path in (
     os.path.join(HERE, "injury_criteria.json"),
     os.path.join(os.path.dirname(os.path.dirname(os.path.dirname(HERE))),
@@ -23,10 +23,9 @@ DATA = [path for path in (
 
 
 class Known(NamedTuple):
-    """What is known of a measure: title, an abbreviation in brackets at its
-    end; thresholds in increasing order of severity, with their meanings;
-    source; limitations. Of a measure that is worse when lower thresholds are
-    negative."""
+    """Known facts on a measure: title, an abbreviation in brackets at its end;
+    thresholds in increasing order of severity, with their meanings; source;
+    limitations. A measure that is worse when lower has negative thresholds."""
     title: str
     thresholds: list
     source: str
@@ -43,9 +42,9 @@ def _read():
 
 
 def _thresholds(measure):
-    """Limits of increasing severity with their meanings. Of levels that
-    overlap, a limit is where one begins or ends, and its meaning names all that
-    apply from there on."""
+    """Limits of increasing severity with their meanings. For levels that
+    overlap, a limit is where one begins or ends, and its meaning names all
+    that apply from there on."""
     if "levels" not in measure:
         return [tuple(threshold) for threshold in measure["thresholds"]]
     levels = [(meaning, begin, float("inf") if end is None else end)
@@ -67,7 +66,7 @@ CURVES = {name: [(curve, _KNOWN["curves"][curve]["event"])
                  for curve in measure["curves"]]
           for name, measure in _KNOWN["measures"].items()
           if "curves" in measure}
-# What biomechanics calls these probabilities.
+# Names of these probabilities in biomechanics.
 OF_CURVES = frozenset("injury_" + curve for rows in CURVES.values()
                       for curve, _ in rows)
 
@@ -110,8 +109,8 @@ def _with_own(published, text, source):
 
 
 def probability(curve, value):
-    """Of the event of a curve at a value of its measure, as the C++ class
-    InjuryCurve has it."""
+    """Probability of the event of a curve at a value of its measure, as the
+    C++ class InjuryCurve has it."""
     known = _KNOWN["curves"][curve]
     if not value > 0.:
         return 0.
@@ -136,7 +135,7 @@ def median_lethal_load(phase, mass, ambient):
 
 
 def title(name):
-    """What a measure is called in words."""
+    """Name of a measure in words."""
     if name in KNOWN:
         return KNOWN[name][0]
     return name.replace("injury_", "").replace("_", " ")

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Contrecoup authors
-"""A measure of injury with its error, beside its thresholds and the tables."""
+"""A measure of injury with its error, its thresholds and the tables."""
 
 import math
 import re
@@ -9,12 +9,12 @@ from plot.report import injury_thresholds, page
 
 
 class Judged:
-    """A measure beside its thresholds. Its error is relative; that of a
+    """A measure next to its thresholds. Its error is relative; that of a
     probability is of the measure @p of which follows it by a @p curve. One that
     the end of the run cuts off is a lower limit of its magnitude. Finer cells
-    may leave a @p least_part of one that goes by the positive phase. What the
-    tables have in the open and before a wall, if that is known and beyond all
-    bounds, is in `tables`."""
+    may leave a @p least_part of one that goes by the positive phase. Values of
+    the tables in the open and before a wall, if they are known and beyond all
+    bounds, are in `tables`."""
 
     def __init__(self, name, value, unit, known, error, error_of,
                  coarser=None, curve="", of=None, is_cut=False, least_part=1.,
@@ -123,13 +123,13 @@ class Judged:
                    for limit, _ in self.thresholds)
 
     def meaning(self, value=None):
-        """What the worst exceeded threshold means, "" below all."""
+        """Meaning of the worst exceeded threshold, "" below all."""
         count = self.exceeded(value)
         return self.thresholds[count - 1][1] if count else ""
 
     def compared(self, value=None):
-        """Beside which of the user's own thresholds a value, or this one's,
-        is: the worst exceeded one, or the first."""
+        """Side of the user's own threshold on which a value, or this one's,
+        is: of the worst exceeded one, or the first."""
         count = self.exceeded(value)
         limit, meaning = self.thresholds[max(count, 1) - 1]
         side = "above" if (count > 0) != (limit < 0.) else "below"
@@ -151,7 +151,7 @@ class Judged:
         return None if self.exceeded(nearest) == self.exceeded() else nearest
 
     def shown_tables(self):
-        """What the tables have, in words; "" where that is unknown."""
+        """Values of the tables, in words; "" where they are unknown."""
         if self.tables is None:
             return ""
         low, high = map(self.shown, self.tables)

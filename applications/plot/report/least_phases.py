@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Contrecoup authors
-"""Second waves within the positive phase at places on the skin and at the probe
-beside the body: finer cells may let the pressure fall to zero before them, which
-ends the phase there."""
+"""Second waves within the positive phase at places on the skin and at the
+probe next to the body: finer cells may let the pressure fall to zero before
+them, which ends the phase there."""
 
 import math
 from typing import NamedTuple
@@ -12,7 +12,7 @@ import numpy as np
 from plot.analysis import signals
 from plot.report import error_estimate, injury_thresholds
 
-PROBE = "probe 1"  # beside the body
+PROBE = "probe 1"  # next to the body
 # Part of the peak by which a dip between two waves stands out, and by which two
 # runs can agree on it by chance.
 SMALLEST_DIP = 0.02
@@ -57,14 +57,14 @@ def of_skin(scene):
 
 
 def at_probe(scene):
-    """The same at the probe beside the body [s], or None."""
+    """The same at the probe next to the body [s], or None."""
     wave = _at_probe(scene)
     return wave and _least(scene, wave, _at_probe(scene.coarser))
 
 
 def part_of_load(scene, place):
-    """What is left of the load on lungs at a place, as a part, if its positive
-    phase ends as early as finer cells may let it; 1 elsewhere."""
+    """Part of the load on lungs at a place that is left if its positive phase
+    ends as early as finer cells may let it; 1 elsewhere."""
     wave = _at_probe(scene) if place == PROBE else \
         _at_gauges(scene).get(place)
     least = at_probe(scene) if place == PROBE else of_skin(scene).get(place)
@@ -128,7 +128,7 @@ def _at_gauges(run):
 
 
 def _at_probe(run):
-    """The Wave at the probe beside the body, or None."""
+    """The Wave at the probe next to the body, or None."""
     measures = [run.blast.found("results", "probe_1_" + name) for name in (
         "arrival", "duration", "peak_overpressure")] if run else [None]
     probes = None if None in measures else run.blast.table("probes.csv")

@@ -16,15 +16,15 @@ def along(scene):
 
 
 def kind(scene):
-    """What along() compares, in words: when, and along what."""
+    """Comparison by along(), in words: when, and along what."""
     return ("in magnitudes, as pushes from opposite sides cancel", "") \
         if scene.biomechanics.found("checks", "loads_pushes_cancel") else \
         ("when it is largest", " along it")
 
 
 def pushes_left(scene):
-    """What is left of pushes that cancel, when it is largest, recorded and on
-    the elements [N s]; None where they do not, or in scenes before 0.2.0."""
+    """Rest of pushes that cancel, when it is largest, recorded and on the
+    elements [N s]; None where they do not, or in scenes before 0.2.0."""
     found = [scene.biomechanics.found("checks", f"loads_largest_{name}_push")
              for name in ("recorded", "mapped")]
     return None if None in found else tuple(found)

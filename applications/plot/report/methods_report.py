@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Contrecoup authors
-"""The report that puts two runs of one head beside one another."""
+"""The report that puts two runs of one head next to one another."""
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -100,13 +100,13 @@ def probe(run, number, span):
 
 
 def largest_area(run):
-    """Of running means, of the whole head."""
+    """Largest smoothed contact area of the whole head."""
     area = head_figures.smoothed(run, run.history["contact_area"])
     return float(area.max())
 
 
 def probe_names(pair):
-    """Of places that both runs follow; [] unless these are the same."""
+    """Names of places that both runs follow; [] unless these are the same."""
     texts = pair.both(lambda run: run.parameters.get("Probes/Points", ""))
     if texts[0] != texts[1] or any(run.probes is None for run in pair.runs):
         return []
@@ -122,15 +122,15 @@ def largest_pressure(rows):
 
 
 def difference(values, scale=0.):
-    """Of the second from the first, over the first; None if unknown, or if the
-    first is near zero compared with @p scale."""
+    """Difference of the second from the first, over the first; None if
+    unknown, or if the first is near zero compared with @p scale."""
     if None in values or not values[0] or abs(values[0]) < NEAR_ZERO * scale:
         return None
     return values[1] / values[0] - 1.
 
 
 def relative_differences(rows):
-    """Of all rows, see difference()."""
+    """Relative differences of all rows, see difference()."""
     largest = largest_pressure(rows)
     return [difference(values, largest if unit == "Pa" else 0.)
             for _, unit, values in rows]

@@ -134,7 +134,7 @@ details summary { cursor: pointer; color: var(--accent); }
 """
 
 
-# Of all pictures of a page.
+# Resolution of all pictures of a page.
 DOTS_PER_INCH = 150
 WORDS = ("no", "one", "two", "three", "four", "five", "six", "seven", "eight",
          "nine", "ten", "eleven", "twelve")
@@ -233,7 +233,7 @@ def percent(part, digits=2):
 
 def digits_beside(limits, value, digits):
     """As many digits, or some more, with which a value is not taken for one of
-    the limits that it is beside."""
+    the limits that it is next to."""
     while digits < 6 and any(value != limit == float(f"{value:.{digits}g}")
                              for limit in limits):
         digits += 1
@@ -241,8 +241,8 @@ def digits_beside(limits, value, digits):
 
 
 def chance(part, limits=()):
-    """What lies between 0 and 1 in per cent, without digits that mean
-    nothing, and not rounded to one of the limits."""
+    """A chance between 0 and 1 in per cent, without digits that mean nothing,
+    and not rounded to one of the limits."""
     if 0. < part < 0.001:
         return Rounded("less than 0.1\u00a0%", 100. * part, "%")
     return Rounded("more than 99\u00a0%", 100. * part, "%") \
@@ -308,7 +308,7 @@ def quantity(value, unit, digits=3):
     """A value with its unit and a prefix that makes it easy to read."""
     if value is None or not math.isfinite(value):
         return "–"
-    # What rounds to 1 m is not 1000 mm.
+    # A value that rounds to 1 m is not 1000 mm.
     factor, shown = style.scale_unit(unit, float(f"{abs(value):.{digits}g}"))
     text = number(value * factor, digits)
     return Rounded(f"{text}\u00a0{shown}" if shown else text, value, unit)
@@ -351,7 +351,7 @@ def table(header, rows, caption=None, numbers=(), widths=(), data=None):
 
 def csv_text(header, rows):
     """A table as CSV: numbers with all digits, below their unit in columns of
-    one, else beside it, and beside their sign where some are lower or upper
+    one, else next to it, and next to their sign where some are lower or upper
     limits."""
     titles, columns = [], []
     for title, cells in zip(header, zip(*rows) if rows else [()] * len(header)):
@@ -420,8 +420,8 @@ def figure(picture, description, caption, kind="png"):
 
 
 def _width_of(content):
-    """Of a PNG picture the width at which points of its fonts are points [px];
-    0 of others, which have their own."""
+    """Width of a PNG picture at which points of its fonts are points [px]; 0
+    of others, which have their own."""
     if not content.startswith(b"\x89PNG"):
         return 0.
     dots, = struct.unpack(">I", content[16:20])
@@ -454,7 +454,7 @@ class Page:
         self.sections = []
 
     def open_with(self, *parts):
-        """What stands before the list of sections."""
+        """Adds parts before the list of sections."""
         self.lead += parts
 
     def section(self, name, *parts):

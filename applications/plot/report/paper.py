@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Contrecoup authors
 """The published simulation of five pounds of C-4 before a man, statement by
-statement, beside what a run of that scene finds: X. G. Tan, R. N. Saunders,
+statement, next to what a run of that scene finds: X. G. Tan, R. N. Saunders,
 A. Bagchi, COUPLED PROBLEMS 2017, sections 3.2 and 3.3."""
 
 import numpy as np
@@ -89,7 +89,7 @@ def counted(statements, where):
 
 
 def table(statements):
-    """Each statement beside what was found."""
+    """Each statement next to what was found."""
     kinds = {AGREES: "good", PARTLY: "mid", DIFFERS: "bad", OPEN: "note"}
     return page.table(
         ("as published", "in this run", "verdict",
@@ -447,7 +447,7 @@ def _delay(delay, near, far):
 def _sign(time, counter, size, tops, dips):
     first = int(np.argmax(np.abs(counter) > 0.1 * size))
     negative = counter[first] < 0.
-    # What comes before may be too weak to stand out.
+    # A swing before that may be too weak to stand out.
     weak = not negative and dips and (not tops or dips[0][0] < tops[0][0])
     return Statement(
         "the negative pressure occurred first in the contrecoup site",

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Contrecoup authors
-"""What reflects the blast wave to the body and to the probe beside it."""
+"""Reflections of the blast wave to the body and to the probe next to it."""
 
 import re
 
@@ -8,7 +8,7 @@ from plot.readers import files
 from plot.report import least_phases, page
 
 SKIN = "nearest skin"
-# What grows with the positive phase.
+# Quantities that grow with the positive phase.
 OF_THE_PHASE = ("impulse", "duration")
 
 
@@ -70,16 +70,17 @@ def wall_sides(scene):
 
 
 def is_cut_off(scene, row):
-    """Whether what the run has beside the tables is a lower limit, as it ends
-    before the positive phase does; scenes before 0.2.0 tell it of the probe."""
+    """Whether the run's value next to the tables is a lower limit, as it ends
+    before the positive phase does; scenes before 0.2.0 tell it of the
+    probe."""
     return bool(row.get(
         "cut_off", row.get("name") in OF_THE_PHASE
         and scene.blast.found("results", "probe_1_cut_off")))
 
 
 def note(scene, probe="the probe"):
-    """What reflections and the end of the run do to the wave at the first probe,
-    as sentences."""
+    """Effects of reflections and of the end of the run on the wave at the
+    first probe, as sentences."""
     merged = [row for row in _rows(scene, least_phases.PROBE)
               if row.get("merges")]
     return (
@@ -104,7 +105,7 @@ def note_on_people(scene):
 
 
 def _rises(row):
-    """What a merged reflection adds, in words."""
+    """Rises by a merged reflection, in words."""
     return page.joined(
         ("an unknown part" if rise is None else f"some {page.percent(rise, 2)}")
         + f" to the {name}" for name, rise in (
@@ -113,8 +114,8 @@ def _rises(row):
 
 
 def explaining(scene):
-    """What may explain a longer or stronger wave at the first probe than that of
-    the tables, in words."""
+    """Possible reason for a longer or stronger wave at the first probe than
+    that of the tables, in words."""
     if not _has_second_wave(scene):
         return "reflections"
     return "the second wave" if _place_of_second_shock(scene) else \
@@ -148,8 +149,8 @@ def _largest_wave(scene):
 
 
 def _second_wave(scene):
-    """What is told of a second wave within the positive phase at the first
-    probe, before which finer cells may end it, as sentences."""
+    """Sentences on a second wave within the positive phase at the first probe,
+    before which finer cells may end it."""
     least, later = least_phases.at_probe(scene), _later_wave(scene)
     return (
         "A second wave comes within the positive phase there"
@@ -192,7 +193,7 @@ def _place_of_second_shock(scene):
 
 def is_elsewhere(scene, row):
     """Whether an item of the audit is that of a wave which open sides send to
-    gauges alone, neither to the body nor to the probe beside it, before the
+    gauges alone, neither to the body nor to the probe next to it, before the
     end."""
     if row.get("item") != "reflection":
         return False
@@ -218,7 +219,7 @@ def _of_open_sides(scene):
 
 
 def open_sides_disturb(scene):
-    """Whether open sides send a wave to the body, or to the probe beside it,
+    """Whether open sides send a wave to the body, or to the probe next to it,
     before the end."""
     return any(not is_elsewhere(scene, row) for row in _of_open_sides(scene))
 

@@ -29,7 +29,7 @@ def build(scene):
                   *blast_sections.skin(scene))
     parts.section("Histories on the skin", *of_blast,
                   *blast_sections.histories(scene))
-    # What was not asked for is not missing.
+    # A part that was not asked for is not missing.
     has_body = scene.biomechanics.exists or facts.get(
         "question") in (None, "injury")
     if has_body:

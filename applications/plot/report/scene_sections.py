@@ -308,7 +308,7 @@ class Event:
     def __init__(self, lane, what, begin, end=None, mark=None, detail=""):
         self.lane, self.what, self.begin, self.end = lane, what, begin, end
         self.mark, self.detail = mark, detail
-        self.is_cut = False  # whether it goes on after the run
+        self.is_cut = False  # whether it continues after the run
 
     def last(self):
         """The last of its times [s]."""
@@ -450,7 +450,7 @@ def _timeline_chart(scene, found):
 
 
 def _unnamed(scene):
-    """What is known of a wave that arrives at no named place."""
+    """Sentence on a wave that arrives at no named place."""
     known = scene.loads()
     first = known and known.first_arrival()
     if first is None:
@@ -460,8 +460,7 @@ def _unnamed(scene):
 
 
 def _rises(scene):
-    """Of all gauges that the wave reaches, how long the first rise lasts
-    [s]."""
+    """Durations of the first rise at all gauges that the wave reaches [s]."""
     gauges = scene.blast.table("load_gauges.csv")
     return [] if gauges is None else [
         signals.rise_time(gauges["time"], gauges[name])

@@ -16,7 +16,7 @@ WIDTH = 78  # of the lines of headline.txt
 
 
 def of(scene, judged, lead, page):
-    """What report.json holds."""
+    """Contents of report.json."""
     facts = scene.facts
     return {
         "application": "scene", "format": formats.NUMBERS["report"],

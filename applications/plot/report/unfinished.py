@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Contrecoup authors
-"""What a report says of stages that have not come to their end, and of a blast
+"""Notes of a report on stages that have not come to their end, and on a blast
 that has not come to the body."""
 
 from plot.readers import files
@@ -38,6 +38,6 @@ def note(scene, *names):
 
 
 def reservations(scene):
-    """Of all stages, a sentence each."""
+    """Reservations on all stages, a sentence each."""
     return [f"The stage {text}." for text in
             (words(scene, name) for name in STAGES) if text]

@@ -19,9 +19,9 @@ CUT = "the run ends too early"
 
 
 class Verdict:
-    """Of one part of the person: words, and what stands in brackets behind
-    them. @p kind: good, mid, bad or none. @p entry decides; the words are of
-    all @p entries."""
+    """Verdict on one part of the person: words, and a detail in brackets
+    behind them. @p kind: good, mid, bad or none. @p entry decides; the words
+    are of all @p entries."""
 
     def __init__(self, subject, words, kind, detail="", entry=None, entries=()):
         self.subject, self.words, self.kind = subject, words, kind
@@ -29,7 +29,7 @@ class Verdict:
         self.entries = entries or (() if entry is None else (entry,))
 
     def label(self):
-        """A few words beside a mark on a picture."""
+        """A few words next to a mark on a picture."""
         is_chance = self.entry is not None and self.entry.curve
         return self.subject + (f" {self.entry.shown()}" if is_chance else "")
 
@@ -77,8 +77,8 @@ def sentence(scene, found):
 
 
 def _word(words, entry, value):
-    """What a probability means: published words, or where it is beside
-    thresholds of the user's own."""
+    """Meaning of a probability: published words, or its side of thresholds of
+    the user's own."""
     if entry.is_open:
         return " not judged"
     if entry.is_own:
@@ -242,7 +242,7 @@ def _lungs(judged):
         if load is not None and load.is_certain() is False else ""
     if load is not None and load.exceeded() and not (
             entry is not None and entry.exceeded()):
-        # Of two measures the worse one counts.
+        # The worse one of two measures counts.
         return Verdict("lungs", POSSIBLE, "mid",
                        f"load {load.shown()} of the median lethal one, "
                        f"{load.reached()}{unsure}", load)
@@ -325,7 +325,7 @@ def _held(scene):
 
 
 def _brain(judged):
-    """What of strain, tension and motion exceeds a threshold."""
+    """Verdict on strain, tension and motion that exceed a threshold."""
     measures = [entry for entry in judged if entry.name.startswith("injury_")
                 and not entry.name.startswith("injury_lung")]
     entries = [entry for entry in measures if entry.has_verdict]
@@ -357,7 +357,7 @@ def _brain(judged):
 
 
 def _reached(entry):
-    """What a measure of the brain says, in words."""
+    """Result of a measure of the brain, in words."""
     if not entry.exceeded():
         return f"{entry.short_title()} below its threshold" + (
             "s" if len(entry.thresholds) > 1 else "")
