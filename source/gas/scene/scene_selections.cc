@@ -155,7 +155,7 @@ namespace
 
 
   /// The part of a domain that holds a region (current subsection); none where
-  /// they do not meet. Of several balls it holds all.
+  /// they do not meet. It holds all of several balls.
   template <int dim>
   std::optional<Box<dim>> bounds_of(const ParameterHandler &prm,
                                     const Box<dim> &domain)

@@ -45,8 +45,8 @@ public:
     return 1.;
   }
 
-  /// Gaps until the end time of the run [s], such as unknown pressures after
-  /// the last sample of a record, in one sentence; empty: all is known.
+  /// Loads that are missing until the end time of the run [s], such as those
+  /// after the last sample of a record, in one sentence; empty: none.
   /// Call after reinit(). Collective.
   virtual std::string warning(double end_time) const = 0;
 
