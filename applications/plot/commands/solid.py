@@ -15,7 +15,7 @@ from plot.readers import fields, files
 from plot.readers.stage import Stage
 from plot.figures import body_cuts, style
 
-# Beside the plane of symmetry, where elements have no faces [m].
+# Next to the plane of symmetry, where elements have no faces [m].
 BESIDE = 1e-4
 
 

@@ -127,7 +127,7 @@ def _draw_reference(axis, known, time_factor, factor, unit):
     peak = known["peak_overpressure"] * factor
     axis.plot([arrival], [peak], marker="x", markersize=7,
               markeredgewidth=1.5, color="black", linestyle="none")
-    # Beside the cross of an early arrival are the axis and its ticks.
+    # Next to the cross of an early arrival are the axis and its ticks.
     axis.set_title(f"reference: {peak:.3g} {unit}", loc="right", fontsize=9,
                    fontweight="normal")
     if known.get("duration", 0.) > 0. and known.get("impulse", 0.) > 0.:

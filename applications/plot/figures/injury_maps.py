@@ -92,8 +92,8 @@ def _known(maps, name):
         known &= maps["arrival"].values > 0.
     if name != "lung_lethality":
         return known
-    # Beside the charge, where nobody survives the largest load alone, what burns
-    # sends later waves.
+    # Next to the charge, where nobody survives the largest load alone, burning
+    # products send later waves.
     return known & (simple(maps) | (maps[name].values > CERTAIN))
 
 

@@ -124,7 +124,7 @@ def _draw_curves_of(study, across, columns, folder, name):
                        for number, factor in enumerate(study["factors"])
                        if number != across)
     if others:
-        # Beside the last panel of the first row.
+        # Next to the last panel of the first row.
         axes[min(len(axes), MOST_COLUMNS) - 1].legend(
             title=others, loc="upper left", bbox_to_anchor=(1.02, 1.),
             borderaxespad=0.)

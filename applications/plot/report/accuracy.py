@@ -284,7 +284,7 @@ def cost_row(name, told, stage):
 
 
 def _interruptions(summary):
-    """Where the starts after the first one went on, after a status."""
+    """Where the starts after the first one continued, after a status."""
     places = [f"step {page.count(one['step'])} "
               f"({page.quantity(one['time'], 's')})"
               for one in summary.get("interruptions") or []

@@ -69,7 +69,7 @@ double move_nodes(NodeFields<Real> &nodes,
         const std::size_t at = k * width<Real>;
         Part<Real> force = load(nodes.force_of(i) + at);
         const Real share = force[last_lane];
-        // Beside the velocity is the inverse mass, which does not change.
+        // Next to the velocity is the inverse mass, which does not change.
         if (k + 1 == n_parts)
           force[last_lane] = Real();
         const Part<Real> old = load(nodes.velocity_of(i) + at);

@@ -24,7 +24,7 @@ namespace contrecoup::gas
  *
  * On hanging faces, and on all faces of a mesh with mapped leaves, both traces
  * are interpolated to the quadrature points; on other faces the points are the
- * face nodes. Beside troubled leaves, on faces that do not hang, there are
+ * face nodes. Next to troubled leaves, on faces that do not hang, there are
  * fluxes at the face nodes in any case, and on mapped leaves both kinds are
  * blended. At the nodes the traces change, as far as the leaves are troubled,
  * to those of the subcells' finite volumes, which share these fluxes
