@@ -53,6 +53,15 @@ def area_above(maps, name, level):
                        & (np.nan_to_num(maps[name].values) > level))
 
 
+def common_areas_above(maps, others, name, level):
+    """Areas of two runs where a quantity exceeds a level, see area_above(), by
+    the gauges of which both know it."""
+    known = _known(maps, name) & _known(others, name)
+    return [_area_where(maps[name], known
+                        & (np.nan_to_num(one[name].values) > level))
+            for one in (maps, others)]
+
+
 def area_unknown(maps, name):
     """Area of the plane [m^2] where a quantity is not known, see draw()."""
     return _area_where(maps[name], ~_known(maps, name))

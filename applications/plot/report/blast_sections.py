@@ -97,11 +97,11 @@ def people(scene):
             + ". " + ("Limits by the numerics are from the coarser run, as those of "
                "other figures" if coarse else "The numerical error of these "
                "areas is unknown")
-            + ". Grey: the blast has not arrived, the figure is not known, as "
-            "within the charge, or, of lungs, the blast is not over (and its "
-            "rest could kill), not simple, or beside the products of the "
-            "explosive, where the duration is open; among these no curve was "
-            "measured. Lungs"
+            + ". Grey, and counted as unknown: the blast has not arrived, the "
+            "body or the charge is there, or, of lungs, the blast is not over "
+            "(and its rest could kill), not simple, or beside the products of "
+            "the explosive, where the duration is open; among these no curve "
+            "was measured. Lungs"
             f"{_mass_of_people(scene)} by side-on plus dynamic "
             f"pressure and positive phase ({KNOWN['lung_lethality'].source}), "
             f"eardrums by the peak ({KNOWN['ear_rupture'].source}); "
@@ -156,9 +156,10 @@ def _area(scene, maps, coarse, name, level):
     found = injury_maps.area_above(maps, name, level)
     doubts = []
     if name in coarse:
+        here, coarser = injury_maps.common_areas_above(maps, coarse, name, level)
         low, high = error_estimate.of_area(
-            scene, found, injury_maps.area_above(coarse, name, level),
-            injury_maps.area(maps))
+            scene, found, coarser - here,
+            injury_maps.area(maps) - injury_maps.area_unknown(maps, name))
         low, high = (page.number(limit) for limit in (low, high))
         if str(low) != str(high):
             doubts.append(f"by the numerics {low} to {high} m²")

@@ -69,10 +69,10 @@ def of(scene, name, value, coarser):
     return max(LEAST, times * abs(coarser / value - 1.)), causes
 
 
-def of_area(scene, area, coarser, most):
-    """Lower and upper limit of an area, from that of the coarser run; no area
-    is larger than @p most."""
-    error = max(LEAST * area, factor(scene, "ear_")[0] * abs(coarser - area))
+def of_area(scene, area, difference, most):
+    """Lower and upper limit of an area, from its difference in the coarser run;
+    no area is larger than @p most."""
+    error = max(LEAST * area, factor(scene, "ear_")[0] * abs(difference))
     return max(area - error, 0.), min(area + error, most)
 
 

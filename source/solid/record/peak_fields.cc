@@ -222,7 +222,7 @@ PeakFields<Real>::most_strained(const SolidBody<Real> &body) const
   StrainedTissue most;
   for (unsigned int k = 0; k < averages_.size(); ++k)
     if (const double strain = strain_95(body, k); !(strain <= most.strain))
-      most = {name_of(body.mesh().tissues[k]), strain};
+      most = {name_of(body.mesh().tissues[k]), strain, is_straining(body, k)};
   return most;
 }
 

@@ -53,7 +53,8 @@ Assumption strain_item(const SolidKinematics kinematics,
   item.quantity =
     tissue.name.empty()
       ? item.quantity + ", measured by Peaks/Active = true alone"
-      : strain_of("the most strained tissue, " + tissue.name + ",");
+      : strain_of("the most strained tissue, " + tissue.name + ",") +
+          (tissue.grows ? " and that still grows at the end" : "");
   return item;
 }
 } // namespace contrecoup::solid

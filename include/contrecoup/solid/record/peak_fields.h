@@ -19,6 +19,7 @@ struct StrainedTissue
   std::string name; ///< "soft tissue"; empty: unknown
   /// That 95 % of its volume has not exceeded [-].
   double strain = std::numeric_limits<double>::quiet_NaN();
+  bool grows = false; ///< whether the strain still grows
 };
 
 /**
