@@ -459,7 +459,7 @@ def _tables(scene, judged):
                        + (ear.tables_place and f" {ear.tables_place}")
                        + f", where this run has {ear.shown()}")
     if chances:
-        parts.append("By the tables, " + page.joined(chances) + ".")
+        parts.append("By the tables, " + "; ".join(chances) + ".")
     return [" ".join(parts)] if parts else []
 
 

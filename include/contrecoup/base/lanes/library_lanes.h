@@ -17,7 +17,8 @@ namespace contrecoup
 template <unsigned int bits>
 unsigned int library_has_lanes_of_bits();
 
-/// Width of the library's SIMD lanes [bit].
-inline const unsigned int library_lane_bits =
+/// Width of the library's SIMD lanes [bit]. Each program asks by itself: a
+/// variable that it shared with the library would be set already.
+[[maybe_unused]] static const unsigned int library_lane_bits =
   library_has_lanes_of_bits<CONTRECOUP_LANE_BITS>();
 } // namespace contrecoup
