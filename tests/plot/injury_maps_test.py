@@ -79,11 +79,11 @@ class InjuryMapsTest(unittest.TestCase):
                       "1.50 m², unknown on a further 0.500 m²)", told())
         self.assertIn("4 psi are exceeded on 1.25 m² (by the numerics 1.23 to "
                       "1.27 m², unknown on a further 0.250 m²)", told())
-        # What one of both does not know is no difference between them.
+        # Places that one of both does not know are no difference between them.
         coarser["lung_lethality"][0][:, 1:3] = np.nan
         self.write(coarser, os.path.join(self.folder, "coarser_blast"))
-        self.assertIn("people would die on 1.00 m² (by the numerics 0.980 to "
-                      "1.02 m², unknown", told())
+        self.assertIn("people would die on 1.00 m² (error unknown: the "
+                      "coarser run knows other places, unknown", told())
 
     def test_groups(self):
         """Injuries, where there are any, stand next to maps of the blast."""

@@ -156,12 +156,14 @@ def _area(scene, maps, coarse, name, level):
     found = injury_maps.area_above(maps, name, level)
     doubts = []
     if name in coarse:
-        here, coarser = injury_maps.common_areas_above(maps, coarse, name, level)
-        low, high = error_estimate.of_area(
-            scene, found, coarser - here,
-            injury_maps.area(maps) - injury_maps.area_unknown(maps, name))
-        low, high = (page.number(limit) for limit in (low, high))
-        if str(low) != str(high):
+        here, there = injury_maps.common_areas_above(maps, coarse, name, level)
+        known_there = injury_maps.area_above(coarse, name, level)
+        low, high = (page.number(limit) for limit in error_estimate.of_area(
+            scene, found, there - here,
+            injury_maps.area(maps) - injury_maps.area_unknown(maps, name)))
+        if here < COMMON * found or there < COMMON * known_there:
+            doubts.append("error unknown: the coarser run knows other places")
+        elif str(low) != str(high):
             doubts.append(f"by the numerics {low} to {high} m²")
     unknown = injury_maps.area_unknown(maps, name)
     if unknown > 0.:
@@ -176,6 +178,8 @@ def _mass_of_people(scene):
     return f" of people of {page.given(mass[0], 'kg')}" if mass else ""
 
 
+# Least part of an area that two runs must both know, to compare it.
+COMMON = 0.5
 # Gauges that stand for a part with a verdict, in order.
 PLACES = {"eardrums": ("left ear", "right ear"), "lungs": ("chest", "back"),
           "brain": ("forehead", "vertex")}

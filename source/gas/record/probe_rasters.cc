@@ -257,8 +257,8 @@ std::vector<std::string> ProbeRasters<dim>::gaps(const double time) const
 {
   RecordGaps gaps(time,
                   "probes of Probes/Lines and Gauge planes in the gas",
-                  ", and injuries of lungs unknown but where even an endless "
-                  "phase would kill nobody");
+                  ", and injuries of lungs unknown, except where even an "
+                  "endless phase would kill nobody");
   for (std::size_t i = 0; has_injuries() && i < probes_.size(); ++i)
     if (!is_in_body_[i])
       gaps.add("(" + coordinates(probes_.places()[i]) + ") m",
