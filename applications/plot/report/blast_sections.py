@@ -99,9 +99,10 @@ def people(scene):
                "areas is unknown")
             + ". Grey, and counted as unknown: the blast has not arrived, the "
             "body or the charge is there, or, of lungs, the blast is not over "
-            "(and its rest could kill), not simple, or beside the products of "
-            "the explosive, where the duration is open; among these no curve "
-            "was measured. Lungs"
+            "(and its rest could kill), not simple (the first wave has at most "
+            f"{page.percent(injury_maps.SIMPLE)} of the impulse, and somebody "
+            "might survive), or beside the products of the explosive, where "
+            "the duration is open; among these no curve was measured. Lungs"
             f"{_mass_of_people(scene)} by side-on plus dynamic "
             f"pressure and positive phase ({KNOWN['lung_lethality'].source}), "
             f"eardrums by the peak ({KNOWN['ear_rupture'].source}); "
