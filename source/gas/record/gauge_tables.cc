@@ -222,18 +222,15 @@ namespace
     const auto values = air_injury_values(air, body_mass);
     const auto definitions = air_injury_definitions(body_mass);
     const std::size_t n_values = values.size() - (with_chest ? 0 : 2);
-    // Without an exposure, a known probability is a bound.
-    const std::string bound =
-      std::isnan(values[0])
-        ? "; at most, by an endless phase, as the run ends within this one"
-        : "";
+    // A bound without an exposure is for maps.
+    const bool knows_lungs = !std::isnan(values[0]);
     for (std::size_t k = 0; k < n_values; ++k)
-      if (!std::isnan(values[k]))
+      if (!std::isnan(values[k]) && (knows_lungs || k != 1))
         rows += row(air_injury_quantities[k].first,
                     air.place,
                     values[k],
                     air_injury_quantities[k].second,
-                    definitions[k] + (k == 1 ? bound : ""),
+                    definitions[k],
                     air_injury_quantities[k].first == "chest_wall_velocity" &&
                       air.exposure.chest.is_fastest_now());
     if (with_chest)

@@ -296,8 +296,7 @@ std::vector<std::string> ProbeSet<dim>::gaps(const double time) const
                   "probes",
                   probes_.exposure() == Exposure::none
                     ? ""
-                    : ", and injuries of lungs unknown, except where even "
-                      "an endless phase would kill nobody");
+                    : ", and injuries of lungs unknown");
   const auto found = blasts();
   for (std::size_t i = 0; i < found.size(); ++i)
     gaps.add(place_of(i), found[i]);

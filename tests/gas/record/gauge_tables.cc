@@ -405,7 +405,7 @@ TEST(GaugeTables, KnowLungsBesideProductsWhereTheirDurationDecidesNothing)
 
 
 // A run that ends within the phase knows the lungs where even an endless one
-// would kill nobody.
+// would kill nobody; a table has no row of them.
 TEST(GaugeTables, KnowLungsOfAnEndlessPhaseThatKillsNobody)
 {
   for (const double peak : {50e3, 200e3})
@@ -416,10 +416,8 @@ TEST(GaugeTables, KnowLungsOfAnEndlessPhaseThatKillsNobody)
     EXPECT_TRUE(std::isnan(values[0]));
     EXPECT_EQ(values[1] < 1e-3, peak < 100e3) << values[1];
     EXPECT_EQ(std::isnan(values[1]), peak > 100e3);
-    const std::string table = air_injury_table({air}, 70., false);
-    EXPECT_EQ(table.find("lung_exposure"), std::string::npos);
-    EXPECT_EQ(table.find("by an endless phase") != std::string::npos,
-              peak < 100e3);
+    EXPECT_EQ(air_injury_table({air}, 70., false).find("lung"),
+              std::string::npos);
   }
 }
 
