@@ -222,17 +222,20 @@ namespace
     const auto values = air_injury_values(air, body_mass);
     const auto definitions = air_injury_definitions(body_mass);
     const std::size_t n_values = values.size() - (with_chest ? 0 : 2);
-    // A bound without an exposure is for maps.
+    // Maps alone show the bound of a probability whose exposure is unknown.
     const bool knows_lungs = !std::isnan(values[0]);
     for (std::size_t k = 0; k < n_values; ++k)
-      if (!std::isnan(values[k]) && (knows_lungs || k != 1))
-        rows += row(air_injury_quantities[k].first,
+    {
+      const auto &[name, unit] = air_injury_quantities[k];
+      if (!std::isnan(values[k]) && (knows_lungs || name != "lung_lethality"))
+        rows += row(name,
                     air.place,
                     values[k],
-                    air_injury_quantities[k].second,
+                    unit,
                     definitions[k],
-                    air_injury_quantities[k].first == "chest_wall_velocity" &&
+                    name == "chest_wall_velocity" &&
                       air.exposure.chest.is_fastest_now());
+    }
     if (with_chest)
       rows +=
         row("peak_overpressure",
