@@ -26,10 +26,7 @@ if(DOXYGEN_FOUND)
 endif()
 
 # cmake --build build --target house: its layers, drawn from the includes.
-find_package(Python3 COMPONENTS Interpreter)
-if(Python3_FOUND)
-  add_custom_target(house
-    COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/tests/checks/house.py
-      ${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR}/house.svg
-    COMMENT "Layers and modules, in build/house.svg" USES_TERMINAL)
-endif()
+add_custom_target(house
+  COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/tests/checks/house.py
+    ${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR}/house.svg
+  COMMENT "Layers and modules, in build/house.svg" USES_TERMINAL)

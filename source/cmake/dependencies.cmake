@@ -57,4 +57,10 @@ else()
   set(CONTRECOUP_ALLOCATOR "")
 endif()
 
+# Debian's interpreter has the packages that debian_packages.txt names.
+if(NOT DEFINED Python3_EXECUTABLE AND EXISTS /usr/bin/python3)
+  set(Python3_EXECUTABLE /usr/bin/python3)
+endif()
+find_package(Python3 REQUIRED COMPONENTS Interpreter)
+
 include(${CMAKE_CURRENT_LIST_DIR}/mold.cmake)

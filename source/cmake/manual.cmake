@@ -2,11 +2,6 @@
 # (Debian: apt install python3-jinja2). Built with everything else; installed to
 # share/man and share/bash-completion.
 
-# Debian's interpreter has the packages that debian_packages.txt names.
-if(NOT DEFINED Python3_EXECUTABLE AND EXISTS /usr/bin/python3)
-  set(Python3_EXECUTABLE /usr/bin/python3)
-endif()
-find_package(Python3 REQUIRED COMPONENTS Interpreter)
 execute_process(
   COMMAND ${Python3_EXECUTABLE} -c "import jinja2"
   RESULT_VARIABLE _without_jinja OUTPUT_QUIET ERROR_QUIET)
