@@ -11,10 +11,6 @@ from matplotlib.patheffects import withStroke
 from plot.figures import blast_maps, style
 
 PSI = 6894.757  # Pa
-# Least part of the positive impulse in the first positive phase of a wave that
-# counts as simple, for which the curves of lungs are made.
-SIMPLE = 0.75
-CERTAIN = 0.99  # probability of death that later waves do not change
 PERCENT = {0.01: "1 %", 0.5: "50 %", 0.99: "99 %"}
 # Title and named levels of each panel.
 PANELS = {
@@ -37,11 +33,6 @@ LIMITS = "chest_wall_velocity_cut_off"
 def are_in(maps):
     """Whether the planes of a group, by quantity, have injuries."""
     return all(name in maps for name in (*PANELS, *INJURIES))
-
-
-def simple(maps):
-    """Where the wave is simple, see SIMPLE, or not over."""
-    return ~(maps["first_phase_fraction"].values <= SIMPLE)
 
 
 def area_above(maps, name, level):
@@ -99,17 +90,14 @@ def _known(maps, name):
     known = np.isfinite(maps[name].values)
     if "arrival" in maps:
         known &= maps["arrival"].values > 0.
-    if name != "lung_lethality":
-        return known
-    # Next to the charge, where nobody survives the largest load alone, burning
-    # products send later waves.
-    return known & (simple(maps) | (maps[name].values > CERTAIN))
+    return known
 
 
 def draw(maps, path, own=None):
     """A panel for each measure; grey where the blast has not arrived or the
-    measure is not known, that of lungs also where the wave is not simple;
-    hatched where the velocity of the chest wall is a lower limit. @p own: named levels in place of those of PANELS, by measure."""
+    measure is not known; hatched where the velocity of the chest wall is a
+    lower limit. @p own: named levels in place of those of PANELS, by
+    measure."""
     figure, axes = blast_maps.four_panels(maps["peak_overpressure"])
     for axis, (name, (title, levels)) in zip(axes.flat, PANELS.items()):
         _draw_panel(figure, axis, maps[name], _known(maps, name), title,

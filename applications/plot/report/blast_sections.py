@@ -23,6 +23,9 @@ PEOPLE = {
                         "half of the eardrums would rupture"),
     "peak_overpressure": ("peak_overpressure", "peak overpressure",
                           4. * injury_maps.PSI, "4 psi are exceeded")}
+# Places whose lungs are known, as mapped_injury_values() in C++ has them: part of
+# the impulse in a simple wave, and probabilities of death.
+SIMPLE, CERTAIN, HARMLESS = 0.75, 0.99, 1e-3
 SEEN_BARE = 2e-3  # part of a view, above which a hole is seen
 
 
@@ -89,20 +92,20 @@ def people(scene):
             "Maps of the probability that an eardrum ruptures, the probability "
             "of death by lung injury, the chest wall velocity and the peak "
             "overpressure.",
-            "What the blast would do to people who stand in a plane of gauges, "
+            f"What the blast would do to people who stand in {_of_gauges(maps)}, "
             f"{_among_whom(scene)}: " + "; ".join(words)
-            + " of it"
-            + (" and of its mirror image"
-               if next(iter(maps.values())).copies > 1 else "")
-            + ". " + ("Limits by the numerics are from the coarser run, as those of "
-               "other figures" if coarse else "The numerical error of these "
-               "areas is unknown")
+            + ". " + (
+                "Limits by the numerics are from the coarser run, as those of "
+                "other figures" if coarse else
+                "The numerical error of these areas is unknown")
             + ". Grey, and counted as unknown: the blast has not arrived, the "
-            "body or the charge is there, or, of lungs, the blast is not over "
-            "(and its rest could kill), not simple (the first wave has at most "
-            f"{page.percent(injury_maps.SIMPLE)} of the impulse, and fewer "
-            f"than {page.percent(injury_maps.CERTAIN)} die), or beside the products of the explosive, where "
-            "the duration is open; among these no curve was measured. Lungs"
+            "body or the charge is there, or, of lungs, the blast is not over, "
+            "not simple (the first wave has at most "
+            f"{page.percent(SIMPLE)} of the impulse) or beside the products of "
+            "the explosive, where the duration is open; among these no curve "
+            f"was measured. Lungs are known, too, where more than "
+            f"{page.percent(CERTAIN)} die by the first wave or fewer than "
+            f"{page.percent(HARMLESS)} would by an endless one. Lungs"
             f"{_mass_of_people(scene)} by side-on plus dynamic "
             f"pressure and positive phase ({KNOWN['lung_lethality'].source}), "
             f"eardrums by the peak ({KNOWN['ear_rupture'].source}); "
@@ -115,6 +118,16 @@ def people(scene):
             + _limits_of_velocity(maps) + _step_of_stages(scene)
             + reflections.note_on_maps(scene)))
     return parts
+
+
+def _of_gauges(maps):
+    """The plane of the maps and its area in words."""
+    plane = next(iter(maps.values()))
+    normal, = set("xyz") - set(plane.axes)
+    place = f"{plane.place:g}".replace("-", "−")
+    return (f"the plane {normal} = {place} m of gauges "
+            f"({page.number(injury_maps.area(maps))} m²"
+            + (" with its mirror image" if plane.copies > 1 else "") + ")")
 
 
 def _among_whom(scene):

@@ -28,7 +28,10 @@ COMPARED = {"peak_overpressure": "peak overpressure",
             "eardrum_rupture": "rupture probability of an eardrum in the open"}
 PROBE = least_phases.PROBE  # where the run is compared with the tables
 LUNGS = ("lung_exposure", "lung_lethality")
-CHANCES = ("lung_lethality", "eardrum_rupture")
+# Loads by which probabilities follow.
+LOADS = {"lung_lethality": "lung_exposure", "eardrum_rupture": "peak_overpressure"}
+CHANCES = tuple(LOADS)
+BOUNDS = "for probabilities the bounds that follow from those of their load"
 LARGE_BIAS = 0.1  # of the model, which may decide a verdict
 LEVEL = 0.1  # m, difference in height that the wave does not notice
 MOST_LINES = 3  # of what could change the verdict, in the text version
@@ -102,13 +105,14 @@ class Lead:
                 "at that distance" + (
                     f"; at the {self.gauge} its load on the skin stands beside "
                     "that on an endless wall, whose impulse is larger. ±: errors "
-                    "of the numerics, where they are known, and of the tables; "
-                    "what differs by more is marked." if self.gauge else "."),
+                    "of the numerics, where they are known, and of the tables, "
+                    f"{BOUNDS}; what differs by more is marked." if self.gauge else "."),
                 numbers=(1, 2) if self.gauge else (1,), data=self.file)
         return page.table(
             (f"beside the body{self.where}, in the open", "this run", "tables"),
             self.compared, caption + "±: errors of the numerics, where they are "
-            "known, and of the tables; what differs by more is marked, unless "
+            f"known, and of the tables, {BOUNDS}; what differs by more is "
+            "marked, unless "
             f"{self.explaining} may explain it"
             f"{self.trunk}. {self.reflections}{self.heights}",
             numbers=(1, 2), data=self.file)
@@ -204,9 +208,9 @@ def _compared(scene, judged=()):
                 name, injury_table.loaded_side(scene)])
             row = {**row, "run_error": load and load.error}
         is_chance = name in CHANCES
+        columns = ("run", "tables") if compared else ("tables",)
         cells = [_with_error(row.get(key), unit, is_chance,
-                             row.get(f"{key}_error"))
-                 for key in (("run", "tables") if compared else ("tables",))]
+                             row.get(f"{key}_error")) for key in columns]
         if compared and reflections.is_cut_off(scene, row):
             cells[0] = "≥ " + cells[0]
         if compared and least is not None and name == "duration":
@@ -216,14 +220,42 @@ def _compared(scene, judged=()):
             cells[0] += ", least " + page.number(
                 least_phases.part_of_load(scene, least_phases.PROBE)
                 * row["run"] * (1. - (row.get("run_error") or 0.)))
+        notes = {key: [page.interval(*ends)] for key, ends in
+                 _bounds_of_chances(scene, judged, name).items()} \
+            if is_chance else {}
         wall = row.get("before_a_wall", scene.table_answer(name)[1])
         if wall is not None and name in (*CHANCES, *LUNGS):
             told = page.chance if is_chance else page.number
-            cells[-1] += f" ({told(wall)} before a wall)"
+            notes.setdefault("tables", []).append(f"{told(wall)} before a wall")
+        for k, (key, cell) in enumerate(zip(columns, cells)):
+            others = [text for text in notes.get(key, []) if text != cell]
+            cells[k] += f" ({'; '.join(others)})" if others else ""
         if row.get("differs"):
             cells[-1] = page.tag("span", cells[-1], kind="mid")
         rows.append((_title(row), *cells))
     return rows
+
+
+def _bounds_of_chances(scene, judged, name):
+    """Least and largest value of a probability by the errors of its load, of the
+    "run" and the "tables"; of what is known."""
+    is_of_ears = name == "eardrum_rupture"
+    death = None if is_of_ears else injury_table.find(judged, name)
+    bounds = {"run": death and death.bounds()}
+    spreads = {}
+    if is_of_ears:
+        peak = "probe_1_peak_overpressure"
+        spreads["run"] = (scene.blast.found("results", peak),
+                          error_estimate.of_result(scene, peak))
+    for row in _rows(scene):
+        if row.get("name") == LOADS[name]:
+            spreads["tables"] = tuple(files.as_number(row.get(key))
+                                      for key in ("tables", "tables_error"))
+    for key, (load, error) in spreads.items():
+        if None not in (load, error):
+            bounds[key] = tuple(probability(name, load * (1. + sign * error))
+                                for sign in (-1., 1.))
+    return {key: found for key, found in bounds.items() if found}
 
 
 def _title(row):

@@ -222,12 +222,10 @@ namespace
     const auto values = air_injury_values(air, body_mass);
     const auto definitions = air_injury_definitions(body_mass);
     const std::size_t n_values = values.size() - (with_chest ? 0 : 2);
-    // Maps alone show the bound of a probability whose exposure is unknown.
-    const bool knows_lungs = !std::isnan(values[0]);
     for (std::size_t k = 0; k < n_values; ++k)
     {
       const auto &[name, unit] = air_injury_quantities[k];
-      if (!std::isnan(values[k]) && (knows_lungs || name != "lung_lethality"))
+      if (!std::isnan(values[k]))
         rows += row(name,
                     air.place,
                     values[k],
@@ -290,16 +288,31 @@ std::array<double, 5> air_injury_values(const AirBlast &air,
   const AirInjury least = injury_of(shortest), injury = injury_of(longest);
   const bool is_known =
     !air.is_cut && !air.exposure.goes_on() && say_the_same(least, injury);
-  // If a phase continues at the end of the run, only its end is unknown.
-  constexpr double endless = 1e3, harmless = 1e-3;
-  const double bound = injury_of(endless).lung_lethality;
   return {{is_known ? injury.lung_exposure : unknown,
-           is_known           ? injury.lung_lethality
-           : bound < harmless ? bound
-                              : unknown,
+           is_known ? injury.lung_lethality : unknown,
            injury.eardrum_rupture,
            air.exposure.chest.largest_velocity,
            first_phase}};
+}
+
+
+std::array<double, 5> mapped_injury_values(const AirBlast &air,
+                                           const double body_mass)
+{
+  constexpr double simple = 0.75, certain = 0.99, harmless = 1e-3,
+                   endless = 1e3;
+  auto values = air_injury_values(air, body_mass);
+  double &lethality = values[1];
+  const bool is_simple = std::isfinite(lethality) && values[4] > simple;
+  if (is_simple || lethality > certain || std::isnan(values[2]))
+    return values;
+  const double bound =
+    air_injury(
+      {air.blast.peak, endless}, air.exposure.load, air.ambient, body_mass)
+      .lung_lethality;
+  lethality =
+    bound < harmless ? bound : std::numeric_limits<double>::quiet_NaN();
+  return values;
 }
 
 

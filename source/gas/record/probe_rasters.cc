@@ -359,13 +359,13 @@ std::vector<double> ProbeRasters<dim>::values(const std::size_t i,
   if (!has_injuries())
     return result;
   const ExposureRecord &exposure = probes_.exposures()[i];
-  const auto injuries = air_injury_values({"",
-                                           blast,
-                                           probes_.ambient()[i],
-                                           exposure,
-                                           probes_.records()[i].running,
-                                           is_cut_off(blast, time)},
-                                          body_mass_);
+  const auto injuries = mapped_injury_values({"",
+                                              blast,
+                                              probes_.ambient()[i],
+                                              exposure,
+                                              probes_.records()[i].running,
+                                              is_cut_off(blast, time)},
+                                             body_mass_);
   result.insert(result.end(), injuries.begin(), injuries.end());
   const bool is_known =
     blast.peak > 0. && !std::isnan(exposure.chest.largest_velocity);

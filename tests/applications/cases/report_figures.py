@@ -351,20 +351,24 @@ def _bounds(title, name, value, files):
     error = _error(name, value, files)
     if error is None:
         return None
-    factors = [max(1. - error, 1e-300), 1. + error]
-    normal = statistics.NormalDist()
     if name.endswith("ear"):
-        return [normal.cdf(1.524 * math.log(factor * files.peak(name)) - 17.6)
-                for factor in factors]
+        return _ends_of_chance("eardrum_rupture", files.peak(name), error)
     if name == "lung_lethality":
         of, load = files.load_of_lungs()
-        factors[0] *= files.least_part_of_load(of)
-        return [normal.cdf(math.log(factor * load) / 0.1788)
-                for factor in factors]
+        return _ends_of_chance(name, load, error, files.least_part_of_load(of))
     if title.startswith("fraction "):
         return [min(max(value * (1. + sign * error), 0.), 1.)
                 for sign in (-1., 1.)]
     return None
+
+
+def _ends_of_chance(name, load, error, least_part=1.):
+    """Ends of a probability by the ends of its load."""
+    normal = statistics.NormalDist()
+    logs = [math.log(factor * load) for factor in (
+        least_part * max(1. - error, 1e-300), 1. + error)]
+    return [normal.cdf(1.524 * one - 17.6 if name == "eardrum_rupture" else
+                       one / 0.1788) for one in logs]
 
 
 def _error(name, value, files):
@@ -476,6 +480,9 @@ def check_headline(page, files):
     return len(wanted) + count
 
 
+# Loads by which probabilities follow.
+LOADS_OF_CHANCES = {"lung_lethality": "lung_exposure",
+                    "eardrum_rupture": "peak_overpressure"}
 # Columns of gauge_measures.csv by names of table_comparison.
 ON_SKIN = {"reflected_overpressure": "peak", "reflected_impulse": "impulse",
            "arrival": "arrival"}
@@ -501,6 +508,9 @@ def check_tables(page, files):
             files.places[place][ON_SKIN[name]]
         require(abs(known / row["run"] - 1.) < 1e-9, f"{row}, {known}")
         for cell, key in zip(cells[1:], ("run", "tables")):
+            if name in LOADS_OF_CHANCES:
+                _check_ends(cell, name, key, files)
+                cell = cell.partition(" (")[0]
             require_chance(cell.removeprefix("≥ "), row[key], name)
             error = row[key + "_error"]
             shown, _, least = cell.partition("±")[2].partition(", least ")
@@ -514,6 +524,28 @@ def check_tables(page, files):
             if shown and "more than" not in shown:
                 require_same(shown, error, f"error of {name}")
     return 4 * len(rows)
+
+
+def _check_ends(cell, name, key, files):
+    """Ends of a probability of the "run" or the "tables"."""
+    known = {row["name"]: row for row in files.compared()}
+    load = known.get(LOADS_OF_CHANCES[name], {})
+    size, error, least = load.get(key), load.get(key + "_error"), 1.
+    if key == "run" and name == "eardrum_rupture":
+        results = values_of(files.summary["blast"], "results")
+        size = results["probe_1_peak_overpressure"]
+        error = files.error_of_result("peak_overpressure")
+    elif key == "run":
+        of, size = files.load_of_lungs()
+        error, least = _error(of, size, files), files.least_part_of_load(of)
+    told = re.search(r"\((\S+) to (\S+) %", cell)
+    require(told or error is None or cell.startswith(("less", "more"))
+            or cell.removesuffix(" %") in ("0", "100"),
+            f"{name} without bounds: {cell}")
+    require(not told or None not in (size, error), f"{name}: bounds of {cell}")
+    for shown, end in zip(*(told.groups(), _ends_of_chance(
+            name, size, error, least)) if told else ()):
+        require(abs(float(shown) / 100. - end) <= 0.0051, f"{cell}: {end}")
 
 
 def _check_trunk(rows, files):

@@ -404,21 +404,37 @@ TEST(GaugeTables, KnowLungsBesideProductsWhereTheirDurationDecidesNothing)
 }
 
 
-// A run that ends within the phase knows the lungs where even an endless one
-// would kill nobody; a table has no row of them.
+// Maps know the lungs where the phase is not over or the wave not simple, but
+// where even an endless phase would kill nobody; a table has no row of them.
 TEST(GaugeTables, KnowLungsOfAnEndlessPhaseThatKillsNobody)
 {
-  for (const double peak : {50e3, 200e3})
-  {
-    AirBlast air{"here", {peak, 300., 1e-3, 5e-3}, 101325., {}, 300., true};
-    air.exposure.load = standing_load(peak, 101325.);
-    const auto values = air_injury_values(air, 70.);
-    EXPECT_TRUE(std::isnan(values[0]));
-    EXPECT_EQ(values[1] < 1e-3, peak < 100e3) << values[1];
-    EXPECT_EQ(std::isnan(values[1]), peak > 100e3);
-    EXPECT_EQ(air_injury_table({air}, 70., false).find("lung"),
-              std::string::npos);
-  }
+  for (const double peak : {50e3, 200e3, 10e6})
+    for (const bool is_cut : {false, true})
+    {
+      AirBlast air{"here", {peak, 300., 1e-3, 5e-3}, 101325., {}, 300., is_cut};
+      air.exposure.load = standing_load(peak, 101325.);
+      air.exposure.waves.later = 0.5 * peak;
+      air.exposure.waves.first_impulse = 0.75 * 300.;
+      const auto values = air_injury_values(air, 70.);
+      const double mapped = mapped_injury_values(air, 70.)[1];
+      EXPECT_EQ(std::isnan(values[1]), is_cut);
+      if (peak < 100e3)
+      {
+        EXPECT_LT(mapped, 1e-3);
+        EXPECT_FALSE(mapped <= values[1]);
+      }
+      else if (peak > 1e6 && !is_cut)
+        EXPECT_EQ(mapped, values[1]);
+      else
+        EXPECT_TRUE(std::isnan(mapped)) << peak << " " << is_cut;
+      EXPECT_EQ(air_injury_table({air}, 70., false).find("lung") ==
+                  std::string::npos,
+                is_cut);
+      // A wave that is simple needs no bound.
+      air.exposure.waves.first_impulse = 0.76 * 300.;
+      if (!is_cut)
+        EXPECT_EQ(mapped_injury_values(air, 70.)[1], values[1]);
+    }
 }
 
 

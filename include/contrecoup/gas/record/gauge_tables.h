@@ -84,13 +84,22 @@ extern const std::vector<std::pair<std::string, std::string>>
  * exposure is defined; among products, where later phases belong to the wave,
  * the part of this phase. Not a number where no blast has arrived and where
  * nobody stands, see ExposureRecord; of lungs and first phase, where the blast
- * is cut off, too, but for a probability of death that an endless phase would
- * not raise above 1e-3.
+ * is cut off, too.
  *
  * @param body_mass for the lung exposure [kg]
  */
 std::array<double, 5> air_injury_values(const AirBlast &air,
                                         const double body_mass);
+
+/**
+ * The same in maps, where the probability of death stands for itself: not a
+ * number, too, where the first wave has at most 0.75 of the impulse, unless it
+ * exceeds 0.99. Where it is unknown by this or because the blast is cut off,
+ * but an endless phase would not raise it above 1e-3, it is that of such a
+ * phase.
+ */
+std::array<double, 5> mapped_injury_values(const AirBlast &air,
+                                           const double body_mass);
 
 /// Whether lungs are not judged at a place where the ears are: next to the
 /// products of an explosive, see ExposureRecord::durations().

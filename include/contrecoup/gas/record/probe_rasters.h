@@ -11,7 +11,7 @@ namespace contrecoup::gas
  * Probes on lines and planes at fixed positions, independent of mesh
  * adaptation: peak overpressure, impulse, arrival and duration at each, see
  * BlastRecord, and where "Probes/Injury" asks for them the injuries of people
- * there, see air_injury_values(). Reading them in every step needs no
+ * there, see mapped_injury_values(). Reading them in every step needs no
  * communication. The result does not depend on the number of ranks.
  */
 template <int dim>
