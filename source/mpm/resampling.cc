@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/base/system/principal_axes.h>
 #include <contrecoup/mpm/resampling.h>
 
 #include <deal.II/base/symmetric_tensor.h>
@@ -50,7 +51,7 @@ namespace
   {
     const auto f = deformation(state);
     const auto pairs =
-      dealii::eigenvectors(dealii::symmetrize(dealii::transpose(f) * f));
+      principal_axes(dealii::symmetrize(dealii::transpose(f) * f));
     const auto along = f * pairs[0].second;
     return {along.norm(), along / along.norm()};
   }
@@ -126,7 +127,7 @@ namespace
     /// the angular momentum, with the root mean square distance as length.
     Vector arm() const
     {
-      const auto axes = dealii::eigenvectors(moments);
+      const auto axes = principal_axes(moments);
       Vector best;
       for (const auto &axis : axes)
       {

@@ -3,6 +3,7 @@
 
 #include <contrecoup/base/system/coordinates.h>
 #include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/principal_axes.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/geometry/body/body.h>
 #include <contrecoup/geometry/body/person_posture.h>
@@ -65,7 +66,7 @@ namespace
     for (const Point<3> &point : points)
       spread += symmetrize(
         outer_product(point - Point<3>(center), point - Point<3>(center)));
-    return dealii::eigenvectors(spread)[0].second;
+    return principal_axes(spread)[0].second;
   }
 
 

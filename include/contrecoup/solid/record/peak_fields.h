@@ -85,4 +85,7 @@ private:
   /// By tissue: this rank's volume whose strain the last one raised [m^3].
   std::vector<double> straining_;
 };
+
+extern template class PeakFields<double>;
+extern template class PeakFields<float>;
 } // namespace contrecoup::solid
