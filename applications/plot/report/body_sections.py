@@ -228,8 +228,8 @@ def histories(scene):
         + "; the extremes are in the table below.",
         "Pressure over time, averaged over the tissue around each place; "
         "compression is positive."
-        + (" Coup is the side of the brain towards the charge, contrecoup the "
-           "opposite side." if brain else ""), "svg")]
+        + (" Coup and contrecoup are at the height of the middle of the brain, on "
+           "the side of the charge and opposite." if brain else ""), "svg")]
     rows = []
     for place in places:
         lowest, highest = signals.extremes(place.pressure(probes))
