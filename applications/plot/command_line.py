@@ -5,7 +5,6 @@ docstring is the help text, the parameters of its main() are the arguments."""
 
 import importlib
 import inspect
-import os
 import pkgutil
 import signal
 import sys
@@ -54,25 +53,19 @@ def values_of(main, arguments):
     return bound.args
 
 
-def run(script, arguments, documentation=""):
-    """Runs a command; returns the exit code. @p script is the path of plot.py,
-    whose first argument is the command, or of a link to it, which is called
-    like the command, with or without "plot_" before it. @p documentation is the
-    help text on all commands."""
+def run(arguments, documentation=""):
+    """Runs the command that is the first argument; returns the exit code.
+    @p documentation is the help text on all commands."""
     # A reader that closes the pipe early, as head does, is no error.
     signal.signal(signal.SIGPIPE, signal.SIG_DFL)
-    program = os.path.basename(script)
-    name = os.path.splitext(program)[0]
-    if name == "plot":
-        if not arguments or arguments[0] in HELP:
-            print(documentation.strip() + "\n\nCommands:\n  "
-                  + "\n  ".join(f"{name} {usage(load(name).main)}"
-                                for name in names()),
-                  file=sys.stdout if arguments else sys.stderr)
-            return 0 if arguments else 1
-        name, *arguments = arguments
-        program += " " + name
-    name = name.removeprefix("plot_")
+    if not arguments or arguments[0] in HELP:
+        print(documentation.strip() + "\n\nCommands:\n  "
+              + "\n  ".join(f"{name} {usage(load(name).main)}"
+                            for name in names()),
+              file=sys.stdout if arguments else sys.stderr)
+        return 0 if arguments else 1
+    name, *arguments = arguments
+    program = f"plot.py {name}"
     if name not in names():
         print(f"plot.py: there is no command '{name}'; there are: "
               + ", ".join(names()), file=sys.stderr)

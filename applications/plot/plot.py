@@ -6,8 +6,7 @@
     plot.py COMMAND ARGUMENTS...
     plot.py COMMAND --help
 
-Links to this file are commands by themselves: plot_run.py is plot.py run. Exit
-code 0, or 1 with one line on stderr that says what is wrong.
+Exit code 0, or 1 with one line on stderr that says what is wrong.
 """
 
 import os
@@ -19,4 +18,4 @@ sys.path[0] = os.path.dirname(os.path.dirname(os.path.realpath(__file__)))
 from plot import command_line  # noqa: E402 (after the path of the package)
 
 if __name__ == "__main__":
-    sys.exit(command_line.run(sys.argv[0], sys.argv[1:], __doc__))
+    sys.exit(command_line.run(sys.argv[1:], __doc__))

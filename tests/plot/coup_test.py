@@ -158,8 +158,7 @@ class CommandTest(unittest.TestCase):
     def call(self, *arguments):
         with contextlib.redirect_stdout(io.StringIO()) as out, \
                 contextlib.redirect_stderr(io.StringIO()) as errors:
-            code = command_line.run("plot.py",
-                                    ["coup", self.folder, *arguments])
+            code = command_line.run(["coup", self.folder, *arguments])
         return code, out.getvalue().splitlines(), errors.getvalue()
 
     def test_command(self):

@@ -144,7 +144,7 @@ class DamageTest(unittest.TestCase):
                                            paint_roughly), \
                 contextlib.redirect_stdout(io.StringIO()), \
                 contextlib.redirect_stderr(io.StringIO()) as errors:
-            code = command_line.run("plot.py", ["report", folder])
+            code = command_line.run(["report", folder])
         words = f"{name}, {what}: {errors.getvalue()}"
         self.assertEqual(os.path.exists(page), code == 0, words)
         if code == 0:

@@ -49,7 +49,7 @@ class FiguresTest(unittest.TestCase):
         tiny_scene.write(os.path.join(cls.home.name, "anatomy",
                                       "summary.json"), "{}")
         with contextlib.redirect_stdout(io.StringIO()):
-            command_line.run("plot.py", ["report", cls.home.name])
+            command_line.run(["report", cls.home.name])
         cls.files = report_figures.Files(cls.home.name)
         with open(os.path.join(cls.home.name, "report.html"),
                   encoding="utf-8") as file:

@@ -53,7 +53,7 @@ class Made:
                 contextlib.redirect_stderr(io.StringIO()) as errors, \
                 unittest.mock.patch.object(html_page, "render",
                                            damage_test.paint_roughly):
-            self.code = command_line.run("plot.py", ["head", folder])
+            self.code = command_line.run(["head", folder])
         self.errors = errors.getvalue()
 
 

@@ -50,16 +50,6 @@ class HelpTest(unittest.TestCase):
             self.assertEqual((code, told), (1, ""))
             self.assertRegex(errors, rf"\Ausage: plot.py {name} [A-Z].*\Z")
 
-    def test_links(self):
-        """Their names, with and without "plot_", are those of commands."""
-        links = [name for name in os.listdir(FOLDER)
-                 if os.path.islink(os.path.join(FOLDER, name))]
-        self.assertIn("plot_coup.py", links)
-        for link in links:
-            name = link[:-len(".py")].removeprefix("plot_")
-            self.assertEqual(call(os.path.join(FOLDER, link), "-h"),
-                             (0, modules()[name], ""))
-
     def test_unknown(self):
         code, told, errors = call(PROGRAM, "paint", "folder")
         self.assertEqual((code, told), (1, ""))

@@ -108,7 +108,7 @@ class MethodsTest(unittest.TestCase):
     def run_script(self, *arguments):
         with contextlib.redirect_stdout(io.StringIO()) as told, \
                 contextlib.redirect_stderr(io.StringIO()) as errors:
-            code = command_line.run("plot.py", ["methods", *arguments])
+            code = command_line.run(["methods", *arguments])
         return code, told.getvalue(), errors.getvalue()
 
     def test_differences_are_those_of_the_tables(self):

@@ -81,7 +81,7 @@ class PageTest(unittest.TestCase):
         scene = os.path.join(self.folder, "scene")
         tiny_scene.write_all(scene)
         tiny_scene.crowd(scene)
-        self.assertEqual(command_line.run("plot.py", ["report", scene]), 0)
+        self.assertEqual(command_line.run(["report", scene]), 0)
         self.assertEqual(page_checks.find_faults(
             self.window, os.path.join(scene, "report.html"), self.folder), [])
 

@@ -52,7 +52,7 @@ def tables(*arguments):
     """Exit code, tables (rows of words by the first one) and errors."""
     with contextlib.redirect_stdout(io.StringIO()) as out, \
             contextlib.redirect_stderr(io.StringIO()) as errors:
-        code = command_line.run("plot.py", ["compare_radial", *arguments])
+        code = command_line.run(["compare_radial", *arguments])
     found = []
     for block in out.getvalue().split("\n\n"):
         rows = [[word.strip() for word in line.strip("|").split("|")]

@@ -141,7 +141,7 @@ class CommandTest(unittest.TestCase):
     def call(self, *arguments):
         with contextlib.redirect_stdout(io.StringIO()) as out, \
                 contextlib.redirect_stderr(io.StringIO()) as errors:
-            code = command_line.run("plot.py", ["agreement", *arguments])
+            code = command_line.run(["agreement", *arguments])
         return code, out.getvalue().splitlines(), errors.getvalue()
 
     def test_command(self):

@@ -67,7 +67,7 @@ class Made:
                 contextlib.redirect_stderr(io.StringIO()) as errors, \
                 unittest.mock.patch.object(style, "save", save), \
                 unittest.mock.patch.object(html_page, "render", render):
-            self.code = command_line.run("plot.py", ["report", folder])
+            self.code = command_line.run(["report", folder])
         self.errors = errors.getvalue()
         path = os.path.join(folder, "report.html")
         self.page = None
@@ -318,7 +318,7 @@ class ReportTest(unittest.TestCase):
         with unittest.mock.patch.object(style, "save", judge), \
                 unittest.mock.patch.object(html_page, "render", judge), \
                 contextlib.redirect_stdout(io.StringIO()):
-            self.assertEqual(command_line.run("plot.py", ["report", folder]),
+            self.assertEqual(command_line.run(["report", folder]),
                              0)
         self.assertEqual(found, [])
         self.assertEqual(len(figures), 15)
@@ -695,6 +695,15 @@ class ReportTest(unittest.TestCase):
             self.assertAlmostEqual(errors[gauge]["peak"], times * error)
         self.assertEqual(errors["a"]["impulse"], 0.02)
         self.assertEqual(errors["d"], {})
+        # One run alone that ends within the phase, or has one wave in it.
+        same = {"peak": 1., "impulse": 1., "cut off": 0.}
+        for other, names, known in (
+                ({"cut off": 0.}, (), True), ({"cut off": 1.}, (), False),
+                ({"cut off": 0.}, ("a",), False)):
+            errors = error_estimate.of_gauges({"a": same}, {
+                "a": {**same, **other}}, 2., names)["a"]
+            self.assertEqual(errors, {"peak": 0.02, "impulse": 0.02} if known
+                             else {"peak": 0.02})
 
     def test_brain_of_the_answer(self):
         """Exceeded thresholds are told in words."""
@@ -937,6 +946,13 @@ class ReportTest(unittest.TestCase):
         alone = run(chest=later)
         alone.blast.table = lambda _: single
         self.assertEqual(least_phases.of_skin(alone), {})
+        # This run's pressure falls to zero before the coarser one's dip.
+        short = run(coarser=run(chest=later, ear=(4e-4, 1.)), chest=deep, ear=deep)
+        single["ear"] = single["chest"]
+        short.blast.table = lambda _: single
+        short.gauge_measures = lambda: dict.fromkeys(("chest", "ear"), {
+            "arrival": 1e-3, "peak": 100., "positive phase": 6e-4})
+        self.assertEqual(least_phases.of_fewer_waves(short), {"chest"})
         self.expect(self.text, "least positive phase",
                     "each is at least the median of its column",
                     "errors of impulse and phase do not hold",
@@ -1312,6 +1328,10 @@ class ReportTest(unittest.TestCase):
                              kind == "mid")
             self.assertIs(verdict.other_ears([ear]),
                           ear if kind == "mid" else None)
+        # So is one with a threshold within its error.
+        for error, kind in ((0.3, "mid"), (0.1, "bad"), (None, "bad")):
+            self.assertEqual(injury_table.severity(injury_table.Judged(
+                "", 1.2 * known.thresholds[-1][0], "Pa", known, error, "")), kind)
 
     def test_verdict_of_several_measures(self):
         """It is certain if each that its words are of is."""

@@ -83,7 +83,7 @@ class WalkTest(unittest.TestCase):
 
     def test_pictures(self):
         with contextlib.redirect_stdout(io.StringIO()):
-            code = command_line.run("plot.py", ["walk", self.folder])
+            code = command_line.run(["walk", self.folder])
             self.assertEqual(code, 0)
             for name in ("step", "adaptation", "cut_cells", "load"):
                 picture_cases.check_picture(os.path.join(

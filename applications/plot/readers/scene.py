@@ -132,11 +132,6 @@ class Scene:
         """As in texts; of files that do not have that, as in entries."""
         return self.facts.get("explosive_title") or self.explosive()
 
-    def probe_place(self, number):
-        """Where a probe in the air is [m]; None if that is unknown."""
-        points = files.points_of(self.blast.parameters.get("Probes/Points"))
-        return points[number - 1] if len(points) >= number else None
-
     def incident_peak(self, number):
         """Peak of the first wave at a probe [Pa]; of runs that do not tell it the
         largest peak; None where that is unknown, too."""

@@ -228,8 +228,8 @@ def verdict_figure(scene, verdicts):
         + (", with marks at " + page.joined(mark.words for mark in marks)
            if marks else "") + ".", "Peak overpressure on the skin."
         + (" Marks have the colour of their verdict: green below all "
-           "thresholds, red where one is exceeded by the numerics as well, brown "
-           "between, or where measures or the tables differ, grey where the "
+           "thresholds, red above all, brown between, or where a threshold lies "
+           "within the error, or measures or the tables differ, grey where the "
            "end of the run leaves a part unjudged"
            + ("." if all(mark.is_seen for mark in marks) else
               "; hollow ones are behind what is seen.") if marks else ""))
@@ -369,9 +369,9 @@ def _gauge_table(scene, gauges):
               "positive phase [ms]", "minimum [kPa]", "rise time [µs]")
     return page.table(
         header, rows,
-        "Arrival: the middle of the first rise. Positive phase and impulse "
-        "last from the arrival until the overpressure first falls to zero "
-        "after its peak; ≥ means that the run ended before. Minimum: of what follows the "
+        "Arrival: the middle of the first rise. The positive phase lasts "
+        "from the arrival, and the impulse from the foot of the rise, until the "
+        "overpressure first falls to zero after its peak; ≥ means that the run ended before. Minimum: of what follows the "
         "arrival; a dash means that the pressure does not fall below the ambient "
         "pressure before the end of the run, ≤ that it falls until then. Rise "
         "time: from a tenth to nine tenths of the first peak; cells and "
@@ -383,7 +383,8 @@ def _gauge_table(scene, gauges):
 
 def _gauge_errors(scene, gauges):
     """Errors of the table of gauges, a row each."""
-    errors = error_estimate.of_scene_gauges(scene)
+    errors = error_estimate.of_scene_gauges(
+        scene, least_phases.of_fewer_waves(scene))
     if not errors:
         return page.paragraph("The numerical errors of this table are unknown: "
                               "the scene has no coarser run.", kind="note")
@@ -404,7 +405,9 @@ def _gauge_errors(scene, gauges):
         "not hold if finer cells may let the pressure fall to zero in the dip "
         "before that wave, after the least positive phase: where the dip is no "
         "deeper than its error, or in one run alone. A dash: no such dip shows; "
-        "cells that merge both waves hide it, too.",
+        "cells that merge both waves hide it, too. Unknown where one run alone "
+        "ends before the phase does, or the coarser one alone has two waves in "
+        "it.",
         numbers=(1, 2, 3, 4))
 
 

@@ -19,18 +19,23 @@ GAUGE_MEASURES = ("peak", "impulse", "positive phase")
 LEAST = 0.02
 
 
-def of_gauges(fine, coarse, ratio, names=GAUGE_MEASURES):
+def of_gauges(fine, coarse, ratio, other_phases=()):
     """Relative errors by gauge and measure, from the measures of both runs (as
     Scene.gauge_measures()) and the ratio of their cells. Two runs can agree at
     a place by chance: no error is smaller than LEAST, or than the median of its
     measure over all gauges. Measures that are missing or not positive have
-    none."""
+    none, nor have impulse and phase where one run alone cuts them off or has
+    more waves in the phase, as at the gauges @p other_phases."""
     times = 1. / (ratio ** ORDER - 1.)
     errors = {gauge: {} for gauge in fine}
-    for name in names:
+    for name in GAUGE_MEASURES:
         for gauge, measures in fine.items():
-            value = measures.get(name, math.nan)
-            other = coarse.get(gauge, {}).get(name, math.nan)
+            value, is_cut, other, is_other_cut = (
+                one.get(key, math.nan) for one in (measures, coarse.get(gauge, {}))
+                for key in (name, "cut off"))
+            if name != "peak" and (gauge in other_phases
+                                   or is_cut + is_other_cut == 1.):
+                continue
             if value > 0. and math.isfinite(other):
                 errors[gauge][name] = times * abs(other / value - 1.)
         known = [one[name] for one in errors.values() if name in one]
@@ -40,13 +45,13 @@ def of_gauges(fine, coarse, ratio, names=GAUGE_MEASURES):
     return errors
 
 
-def of_scene_gauges(scene):
+def of_scene_gauges(scene, other_phases=()):
     """of_gauges() of a scene and its coarser run; {} without one."""
     if scene.coarser is None:
         return {}
     ratio = (scene.facts.get("coarser_run") or {}).get("cell_ratio", 2.)
     return of_gauges(scene.gauge_measures(), scene.coarser.gauge_measures(),
-                     ratio)
+                     ratio, other_phases)
 
 
 def factor(scene, name):

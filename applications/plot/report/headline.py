@@ -239,23 +239,21 @@ def _compared(scene, judged=()):
 def _bounds_of_chances(scene, judged, name):
     """Least and largest value of a probability by the errors of its load, of the
     "run" and the "tables"; of what is known."""
-    is_of_ears = name == "eardrum_rupture"
-    death = None if is_of_ears else injury_table.find(judged, name)
-    bounds = {"run": death and death.bounds()}
-    spreads = {}
-    if is_of_ears:
-        peak = "probe_1_peak_overpressure"
-        spreads["run"] = (scene.blast.found("results", peak),
-                          error_estimate.of_result(scene, peak))
+    death, peak = injury_table.find(judged, name), "probe_1_peak_overpressure"
+    bounds = {"run": (death and death.bounds()) if name in LUNGS else _ends(
+        name, scene.blast.found("results", peak),
+        error_estimate.of_result(scene, peak))}
     for row in _rows(scene):
         if row.get("name") == LOADS[name]:
-            spreads["tables"] = tuple(files.as_number(row.get(key))
-                                      for key in ("tables", "tables_error"))
-    for key, (load, error) in spreads.items():
-        if None not in (load, error):
-            bounds[key] = tuple(probability(name, load * (1. + sign * error))
-                                for sign in (-1., 1.))
+            bounds["tables"] = _ends(name, *(files.as_number(
+                row.get(key)) for key in ("tables", "tables_error")))
     return {key: found for key, found in bounds.items() if found}
+
+
+def _ends(curve, load, error):
+    """Probabilities by both ends of a load; None if its error is unknown."""
+    return None if None in (load, error) else tuple(
+        probability(curve, load * (1. + sign * error)) for sign in (-1., 1.))
 
 
 def _title(row):

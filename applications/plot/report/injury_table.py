@@ -190,11 +190,6 @@ def has_chest(scene):
             ("lung_exposure", side) in scene.gauge_injury() for side in SIDES))
 
 
-def has_brain(scene):
-    """Whether there are measures of the brain."""
-    return any(name in scene.measures() for name in PRESSURES)
-
-
 def has_probe_at_body(scene):
     """Whether the first probe in the air is the scene's own, as far from the
     charge as the body."""
@@ -425,10 +420,11 @@ def _verdict(entry):
 
 
 def severity(entry):
-    """Good below all thresholds, by the tables, bad above all, else mid;
-    none of what has no verdict."""
+    """Good below all thresholds, by the tables and the errors, too, bad above
+    all, else mid; none of what has no verdict."""
     count = entry.exceeded()
-    if count == 0 and entry.other_by_tables() is not None:
+    if entry.has_verdict and (entry.is_certain() is False or (
+            count == 0 and entry.other_by_tables() is not None)):
         return "mid"
     return "none" if not entry.has_verdict else "good" if count == 0 else \
         "bad" if count == len(entry.thresholds) else "mid"

@@ -56,6 +56,16 @@ def of_skin(scene):
         for name, wave in _at_gauges(scene).items()) if least is not None}
 
 
+def of_fewer_waves(scene):
+    """Places on the skin whose positive phase ends before a second wave, while
+    that of the coarser run has both."""
+    coarser = {name: wave.dip() for name, wave in
+               _at_gauges(scene.coarser).items()}
+    return {name for name, wave in _at_gauges(scene).items()
+            if coarser.get(name) and not wave.dip()
+            and wave.phase <= coarser[name][0]}
+
+
 def at_probe(scene):
     """The same at the probe next to the body [s], or None."""
     wave = _at_probe(scene)

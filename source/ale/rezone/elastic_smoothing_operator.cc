@@ -11,12 +11,11 @@
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/lac/affine_constraints.h>
-#include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/solver_cg.h>
-#include <deal.II/lac/sparsity_tools.h>
 #include <deal.II/lac/trilinos_precondition.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
+#include <deal.II/lac/trilinos_sparsity_pattern.h>
 #include <deal.II/lac/trilinos_vector.h>
 
 namespace contrecoup::ale
@@ -24,6 +23,19 @@ namespace contrecoup::ale
 namespace
 {
   using TrilinosVector = dealii::TrilinosWrappers::MPI::Vector;
+
+  /// Product with a matrix, whose vmult() clang does not find in a deal.II that
+  /// g++ built.
+  struct Product
+  {
+    const dealii::TrilinosWrappers::SparseMatrix &matrix;
+
+    void vmult(TrilinosVector &product, const TrilinosVector &vector) const
+    {
+      matrix.trilinos_matrix().Multiply(
+        false, vector.trilinos_vector(), product.trilinos_vector());
+    }
+  };
 } // namespace
 
 
@@ -92,12 +104,12 @@ ElasticSmoothing::System::System(HexSpace &space,
 {
   dealii::AlignedVector<double> none(node_width * space.n_nodes());
   constrain(none);
-  dealii::DynamicSparsityPattern pattern(relevant_);
+  dealii::TrilinosWrappers::SparsityPattern pattern(
+    own_, own_, relevant_, space.communicator());
   dealii::DoFTools::make_sparsity_pattern(
     space.node_dofs(), pattern, constraints_, false);
-  dealii::SparsityTools::distribute_sparsity_pattern(
-    pattern, own_, space.communicator(), relevant_);
-  matrix_.reinit(own_, own_, pattern, space.communicator());
+  pattern.compress();
+  matrix_.reinit(pattern);
   right_side_.reinit(own_, space.communicator());
   solution_.reinit(own_, space.communicator());
   find_cells();
@@ -277,7 +289,7 @@ ElasticSmoothing::System::solve(const dealii::AlignedVector<double> &position)
   dealii::SolverCG<TrilinosVector> solver(control);
   try
   {
-    solver.solve(matrix_, solution_, right_side_, preconditioner_);
+    solver.solve(Product{matrix_}, solution_, right_side_, preconditioner_);
   }
   catch (const dealii::SolverControl::NoConvergence &)
   {

@@ -263,7 +263,7 @@ namespace
                       {"cut_off", one.is_cut},
                       {"run_error", number(one.run_error)},
                       {"tables", one.tables},
-                      {"tables_error", one.tables_error},
+                      {"tables_error", number(one.tables_error)},
                       {"differs", one.differs}});
     return rows;
   }

@@ -210,7 +210,8 @@ namespace
        "the mean over the four gauges of a blast test device, so that its levels "
        "of injury do not hold",
        "part of the positive impulse that the first wave has within the first "
-       "positive phase: 1 in a simple wave, for which alone the lung exposure is "
+       "positive phase where a later wave rises by a tenth of the first peak; 1 "
+       "without one, in a simple wave, for which alone the lung exposure is "
        "defined"}};
   }
 

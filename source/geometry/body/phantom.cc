@@ -132,41 +132,48 @@ BodyPointer Phantom::create() const
 std::vector<OrganReference> Phantom::references() const
 {
   constexpr double litre = 1e-3;
-  const double body = std::pow(stature_ / reference_stature, 3) * litre;
-  const double head = std::pow(head_scale_, 3) * litre;
+  const double body = std::pow(stature_ / reference_stature, 3),
+               head = std::pow(head_scale_, 3);
   constexpr double skull = 0.75; // of the skeleton's 8.08; follows the head
+  const double skeleton = (7.33 * body + skull * head) / (7.33 + skull);
   const auto literature = [](const std::string &source) {
     return "the literature (" + source + ")";
   };
-  const std::string icrp = "ICRP 89: ";
-  return {{"whole body",
-           {},
-           mass_ / mean_density,
-           0.02,
-           literature("mass over 990 kg/m^3, recalled")},
-          {"brain", {"brain"}, 1.40 * head, 0.05, literature(icrp + "1.45 kg")},
-          {"heart",
-           {"heart"},
-           0.79 * body,
-           0.05,
-           literature(icrp + "0.84 kg with blood")},
-          {"liver", {"liver"}, 1.70 * body, 0.05, literature(icrp + "1.8 kg")},
-          {"lungs",
-           {"lungs"},
-           3.3 * body,
-           0.05,
-           literature(icrp + "1.2 kg; half full, recalled")},
-          {"skeleton",
-           {"skull",
-            "spine",
-            "ribs",
-            "shoulders",
-            "arm bones",
-            "pelvis",
-            "leg bones"},
-           7.33 * body + skull * head,
-           0.03,
-           literature(icrp + "10.5 kg of 1300 kg/m^3")}};
+  const auto icrp = [&](const std::string &mass, const double scale) {
+    return literature("ICRP 89: " + mass +
+                      (scale == 1. ? ""
+                                   : " in a man, his volume times " +
+                                       brief(scale, 3) + " for the size"));
+  };
+  return {
+    {"whole body",
+     {},
+     mass_ / mean_density,
+     0.02,
+     literature("mass over 990 kg/m^3, recalled")},
+    {"brain", {"brain"}, 1.40 * litre * head, 0.05, icrp("1.45 kg", head)},
+    {"heart",
+     {"heart"},
+     0.79 * litre * body,
+     0.05,
+     icrp("0.84 kg with blood", body)},
+    {"liver", {"liver"}, 1.70 * litre * body, 0.05, icrp("1.8 kg", body)},
+    {"lungs",
+     {"lungs"},
+     3.3 * litre * body,
+     0.05,
+     icrp("1.2 kg, half full (recalled)", body)},
+    {"skeleton",
+     {"skull",
+      "spine",
+      "ribs",
+      "shoulders",
+      "arm bones",
+      "pelvis",
+      "leg bones"},
+     8.08 * litre * skeleton,
+     0.03,
+     icrp("10.5 kg of 1300 kg/m^3", skeleton)}};
 }
 
 

@@ -113,6 +113,8 @@ class Files:
 
         self.least_phases = second_waves.of_skin(output, self.places,
                                                  self.coarser_places)
+        self.fewer_waves = second_waves.of_fewer_waves(
+            output, self.places, self.coarser_places)
         self.least_at_probe = second_waves.at_probe(output)
 
         paths = [os.path.join(output, stage, "summary.json")
@@ -195,6 +197,13 @@ class Files:
             place = math.log(skin["lung_exposure", self.side]) / 0.1788
             skin["lung_lethality", "probe 1"] = 0.5 * math.erfc(
                 -place / math.sqrt(2.))
+
+    def has_same_phase(self, place):
+        """Whether the positive phase at a gauge in both runs is complete or not,
+        and of as many waves."""
+        cut = [run.get(place, {}).get("cut off") for run in (
+            self.places, self.coarser_places)]
+        return cut[0] == cut[1] and place not in self.fewer_waves
 
     def person(self):
         """Stature and mass in the description of the person, by their units."""
@@ -780,7 +789,8 @@ def _gauge_errors(files, name):
     """Errors by place, of order 0.7; at least their median and 2 %."""
     factor = 1. / (2. ** 0.7 - 1.)
     coarser = {place: measures[name] for place, measures
-               in files.coarser_places.items() if not math.isnan(measures[name])}
+               in files.coarser_places.items() if not math.isnan(measures[name])
+               and (name == "peak" or files.has_same_phase(place))}
     errors = {place: factor * abs(coarser[place] / measures[name] - 1.)
               for place, measures in files.places.items()
               if measures[name] > 0. and place in coarser}

@@ -49,10 +49,27 @@ def least_phase(waves):
 
 def of_skin(output, places, coarser_places):
     """The least phase by gauge, of those that have one."""
+    least = {name: least_phase(waves) for name, waves in _waves(
+        output, places, coarser_places)}
+    return {name: phase for name, phase in least.items() if phase is not None}
+
+
+def of_fewer_waves(output, places, coarser_places):
+    """Gauges whose phase ends before the second wave that the coarser run has in
+    it."""
+    found = set()
+    for name, (fine, coarse) in _waves(output, places, coarser_places):
+        dip = coarse and first_dip(*coarse)
+        if dip and not first_dip(*fine) and fine[3] <= dip[0]:
+            found.add(name)
+    return found
+
+
+def _waves(output, places, coarser_places):
+    """Arguments of first_dip() in both runs, by gauge."""
     histories = [read_columns(output, run, "load_gauges.csv")
                  if os.path.exists(os.path.join(output, run, "load_gauges.csv"))
                  else {} for run in RUNS]
-    found = {}
     for name, known in places.items():
         if not known["peak"] > 0. or name not in histories[0]:
             continue
@@ -61,10 +78,7 @@ def of_skin(output, places, coarser_places):
                  if name in of_run and measures.get(name, {}).get("peak", 0.) > 0.
                  else None for of_run, measures in zip(
                      histories, (places, coarser_places))]
-        least = least_phase(waves)
-        if least is not None:
-            found[name] = least
-    return found
+        yield name, waves
 
 
 def at_probe(output):

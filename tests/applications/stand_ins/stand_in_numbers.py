@@ -98,7 +98,7 @@ def draw(folder):
     tiny_scene.write_table(os.path.join(folder, "blast", "history.csv"), {
         "step": steps, "time [s]": tiny_scene.TIMES,
         "mass [kg]": 186. - steps / 6., "energy [J]": 0. * steps + 6.02e6})
-    command_line.run("plot.py", ["report", folder])
+    command_line.run(["report", folder])
     path = os.path.join(folder, "report.html")
     with open(path, encoding="utf-8") as file:
         page = file.read()
