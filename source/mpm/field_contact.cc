@@ -23,12 +23,10 @@ namespace
   bool reaches(const TileGrid::Source &source,
                const dealii::AlignedVector<double> &marks)
   {
-    return std::any_of(source.nodes.begin(),
-                       source.nodes.end(),
-                       [&](const std::uint32_t node) {
-                         return node != TileGrid::no_node && marks[node] > 0.;
-                       }) ||
-           (source.coarse != nullptr && reaches(*source.coarse, marks));
+    return std::any_of(
+      source.nodes.begin(), source.nodes.end(), [&](const std::uint32_t node) {
+        return node != TileGrid::no_node && marks[node] > 0.;
+      });
   }
 
   /// Number of sweeps over the pairs at nodes with three fields: the impulses
@@ -165,14 +163,12 @@ void FieldContact::find_normals(const TileGrid &grid, Pair &pair) const
 
 void FieldContact::update_extents_of(const TileGrid &grid,
                                      const TileGrid::Source &source,
-                                     const unsigned int level,
                                      const Particles::TileBlocks &blocks,
                                      const Pair &pair,
                                      NodeValues &extents) const
 {
   constexpr double none = -std::numeric_limits<double>::max();
-  const ParticleExtent half{std::ldexp(half_spacing_, -int(level)),
-                            std::ldexp(box_volume_, -3 * int(level))};
+  const ParticleExtent half{half_spacing_, box_volume_};
   Window normals(3 * size), window(size);
   read_window(source, pair.normals, 0, gradient_parity, normals.data());
   for (unsigned int side = 0; side < 2; ++side)
@@ -205,13 +201,8 @@ void FieldContact::find_gap(const TileGrid &grid,
   auto meets = has_shared_nodes_.begin();
   for (auto &tile : particles.tiles())
   {
-    const unsigned int level = source->level;
     if (*meets)
-      update_extents_of(grid, *source, level, tile.second, pair, extents);
-    // For nodes of level 0 the particles count as if the cells were not halved.
-    if (*meets && source->coarse != nullptr)
-      update_extents_of(
-        grid, *source->coarse, level, tile.second, pair, extents);
+      update_extents_of(grid, *source, tile.second, pair, extents);
     ++source;
     ++meets;
   }

@@ -2,7 +2,6 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/mpm/node_values.h>
-#include <contrecoup/mpm/two_scale.h>
 
 #include <bitset>
 
@@ -47,55 +46,6 @@ namespace
   double sign(const std::uint8_t mirrored, const Parity parity)
   {
     return std::bitset<8>(mirrored & parity).count() % 2 == 1 ? -1. : 1.;
-  }
-
-  /// Work memory for components of a window; zero where nothing is written.
-  void make_room(Window &window, const std::size_t n_components)
-  {
-    if (window.size() < window_stride * n_components)
-      window.resize(window_stride * n_components);
-  }
-
-  /// Adds the contribution of level 0 to the window of a tile at the border of
-  /// levels.
-  void read_sums(const TileGrid::Source &source,
-                 const NodeValues &values,
-                 const unsigned int first,
-                 const std::vector<Parity> &parities,
-                 double *const window)
-  {
-    static thread_local Window coarse, sums(TileGrid::window_size);
-    make_room(coarse, parities.size());
-    read_window(*source.coarse, values, first, parities, coarse.data());
-    for (unsigned int c = 0; c < parities.size(); ++c)
-    {
-      refine_window(
-        source.degree, coarse.data() + window_stride * c, sums.data());
-      for (unsigned int i = 0; i < TileGrid::window_size; ++i)
-        if (source.nodes[i] == TileGrid::no_node)
-          window[window_stride * c + i] = sums[i];
-    }
-  }
-
-  /// Transposed operation: adds this contribution to the nodes of level 0.
-  void add_sums(const TileGrid::Source &source,
-                const double *const window,
-                const unsigned int first,
-                const std::vector<Parity> &parities,
-                NodeValues &values)
-  {
-    static thread_local Window coarse, sums(TileGrid::window_size);
-    make_room(coarse, parities.size());
-    for (unsigned int c = 0; c < parities.size(); ++c)
-    {
-      for (unsigned int i = 0; i < TileGrid::window_size; ++i)
-        sums[i] = source.nodes[i] == TileGrid::no_node
-                    ? window[window_stride * c + i]
-                    : 0.;
-      coarsen_window(
-        source.degree, sums.data(), coarse.data() + window_stride * c);
-    }
-    add_window(*source.coarse, coarse.data(), first, parities, values);
   }
 } // namespace
 
@@ -176,8 +126,6 @@ void read_window(const TileGrid::Source &source,
       for (unsigned int i = 0; i < source.nodes.size(); ++i)
         to[i] *= sign(source.mirrored[i], parities[c]);
   }
-  if (source.coarse != nullptr)
-    read_sums(source, values, first, parities, window);
 }
 
 
@@ -198,8 +146,6 @@ void add_window(const TileGrid::Source &source,
           has_mirror ? sign(source.mirrored[i], parities[c]) * from[i]
                      : from[i];
   }
-  if (source.coarse != nullptr)
-    add_sums(source, window, first, parities, values);
 }
 
 

@@ -385,13 +385,10 @@ void ParticleStep::strain(const TileGrid &grid,
   if (step > 0.)
     smooth(grid, particles, false);
   for (auto &tile : particles.tiles())
-  {
-    const unsigned int level = grid.levels().level(tile.first);
     for (unsigned int m = 0; m < materials_.size(); ++m)
       if (tile.second[m].size() > 0)
         strain_particles(
-          materials_[m], step, grid.levels().cell_size(level), tile.second[m]);
-  }
+          materials_[m], step, grid.box().cell_size, tile.second[m]);
 }
 
 

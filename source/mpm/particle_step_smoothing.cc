@@ -15,7 +15,7 @@ void ParticleStep::deposit_smoothed(const TileGrid &grid,
 {
   Window window(2 * window_stride);
   std::vector<double> weight, value;
-  for (const Tile &tile : tiles(grid.linear_sources(), particles, {m}))
+  for (const Tile &tile : tiles(grid.sources(), particles, {m}))
   {
     const ParticleBlock &block = (*tile.second)[m];
     weight.resize(block.size());
@@ -76,7 +76,7 @@ void ParticleStep::collect_smoothed(const TileGrid &grid,
                                     const NodeValues &values) const
 {
   Window window(window_stride);
-  for (const Tile &tile : tiles(grid.linear_sources(), particles, {m}))
+  for (const Tile &tile : tiles(grid.sources(), particles, {m}))
   {
     ParticleBlock &block = (*tile.second)[m];
     read_window(*tile.first, values, 1, {0}, window.data());

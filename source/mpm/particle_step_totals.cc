@@ -86,7 +86,7 @@ ParticleTotals ParticleStep::totals(const TileGrid &grid,
 double ParticleStep::signal_time(const TileGrid &grid,
                                  const Particles &particles) const
 {
-  std::vector<double> speeds(2, 0.); // by level
+  double largest = 0.;
   for (const auto &tile : particles.tiles())
     for (unsigned int m = 0; m < materials_.size(); ++m)
     {
@@ -101,15 +101,14 @@ double ParticleStep::signal_time(const TileGrid &grid,
           square += std::pow(block[column::velocity + d][p], 2);
         fastest = std::max(fastest, square);
       }
-      double &speed = speeds[grid.levels().level(tile.first)];
-      speed = std::max(
-        speed, std::sqrt(fastest) + largest_sound_speed(materials_[m], block));
+      largest = std::max(largest,
+                         std::sqrt(fastest) +
+                           largest_sound_speed(materials_[m], block));
     }
-  dealii::Utilities::MPI::max(speeds, grid.communicator(), speeds);
-  double time = std::numeric_limits<double>::max();
-  for (unsigned int level = 0; level < 2; ++level)
-    time = std::min(
-      time, grid.levels().cell_size(level) / std::max(speeds[level], 1e-300));
-  return time;
+  return std::min(
+    std::numeric_limits<double>::max(),
+    grid.box().cell_size /
+      std::max(dealii::Utilities::MPI::max(largest, grid.communicator()),
+               1e-300));
 }
 } // namespace contrecoup::mpm

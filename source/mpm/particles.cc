@@ -70,17 +70,15 @@ void Particles::remove_leaving(const TileGrid &grid,
 {
   ParticleBlock &particles = tiles_[tile][material];
   const std::array<int, 3> first = grid.origin(tile);
-  const TileLevels &levels = grid.levels();
-  const unsigned int level = levels.level(tile);
   std::array<int, 3> end;
   for (unsigned int d = 0; d < 3; ++d)
-    end[d] = std::min(first[d] + TileGrid::tile_edge, levels.n_cells(level, d));
-  const bool is_whole = level == 1 || levels.n_halved(tile) == 0;
-  if (is_whole && are_inside(particles,
-                             &grid.box().lower[0],
-                             levels.cell_size(level),
-                             first.data(),
-                             end.data()))
+    end[d] = std::min(first[d] + TileGrid::tile_edge,
+                      static_cast<int>(grid.box().n_cells[d]));
+  if (are_inside(particles,
+                 &grid.box().lower[0],
+                 grid.box().cell_size,
+                 first.data(),
+                 end.data()))
     return;
   for (std::size_t p = particles.size(); p-- > 0;)
   {

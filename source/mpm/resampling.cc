@@ -182,7 +182,7 @@ namespace
                                    particles[column::position + 1][p],
                                    particles[column::position + 2][p]);
       if (may_merge(particles, p))
-        cells[grid.cell_at(place, grid.level_at(place))].push_back(p);
+        cells[grid.cell_at(place)].push_back(p);
     }
     return cells;
   }

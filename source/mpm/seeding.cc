@@ -164,31 +164,6 @@ unsigned int tile_weight(const GridBox &box,
 }
 
 
-bool is_near_material(const ParticleSource &source,
-                      const std::vector<bool> &is_chosen,
-                      const dealii::Point<3> &lower,
-                      const double edge,
-                      const double margin,
-                      const double spacing)
-{
-  const double width = edge + 2. * margin;
-  const unsigned int n = std::lround(std::ceil(width / spacing - 1e-9));
-  for (unsigned int k = 0; k < n; ++k)
-    for (unsigned int j = 0; j < n; ++j)
-      for (unsigned int i = 0; i < n; ++i)
-      {
-        const double at[] = {i + 0.5, j + 0.5, k + 0.5};
-        dealii::Point<3> place = lower;
-        for (unsigned int d = 0; d < 3; ++d)
-          place[d] += width * at[d] / n - margin;
-        const int material = source.material_at(place);
-        if (material != ParticleSource::none && is_chosen[material])
-          return true;
-      }
-  return false;
-}
-
-
 void seed(const std::vector<ParticleMaterial> &materials,
           const ParticleSource &source,
           TileGrid &grid,
@@ -199,8 +174,7 @@ void seed(const std::vector<ParticleMaterial> &materials,
   for (const auto tile : grid.own_tiles())
   {
     const auto origin = grid.origin(tile);
-    const unsigned int level = grid.levels().level(tile);
-    const double size = grid.levels().cell_size(level);
+    const double size = grid.box().cell_size;
     const int ends[] = {edge * int(n[0]), edge * int(n[1]), edge * int(n[2])};
     for (int k = 0; k < ends[2]; ++k)
       for (int j = 0; j < ends[1]; ++j)

@@ -3,7 +3,6 @@
 
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/mpm/tile_grid.h>
-#include <contrecoup/mpm/two_scale.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/distributed/tria.h>
@@ -38,7 +37,10 @@ void TileGrid::reinit(
   const MPI_Comm communicator,
   const std::function<unsigned int(const dealii::Point<3> &)> &weight)
 {
-  levels_.reinit(box);
+  box_ = box;
+  // Nodes at upper sides belong to tiles as well.
+  for (unsigned int d = 0; d < 3; ++d)
+    n_tiles_[d] = box.n_cells[d] / tile_edge + 1;
   communicator_ = communicator;
   find_tiles(weight);
   activate({});
@@ -56,41 +58,39 @@ TileGrid::TileId TileGrid::tile_at_corner(const dealii::Point<3> &corner) const
 }
 
 
-void TileGrid::halve_blocks(const dealii::Triangulation<3> &tiles)
+TileGrid::TileId TileGrid::tile_of(const std::array<int, 3> &cell) const
 {
-  if (!box().halving.blocks)
-    return;
-  std::vector<TileId> own, all;
-  for (const auto &cell : tiles.active_cell_iterators())
-    if (cell->is_locally_owned())
-      for (const TileId block :
-           levels_.blocks_to_halve(tile_at_corner(cell->vertex(0))))
-        own.push_back(block);
-  for (const auto &from :
-       dealii::Utilities::MPI::all_gather(communicator_, own))
-    all.insert(all.end(), from.begin(), from.end());
-  levels_.set_halved(all);
+  TileId id = 0;
+  for (int d = 2; d >= 0; --d)
+    id = id * n_tiles_[d] + static_cast<unsigned int>(cell[d] / tile_edge);
+  return id;
+}
+
+
+std::array<int, 3> TileGrid::origin(const TileId tile) const
+{
+  const TileId rest = tile / n_tiles_[0];
+  return {{tile_edge * static_cast<int>(tile % n_tiles_[0]),
+           tile_edge * static_cast<int>(rest % n_tiles_[1]),
+           tile_edge * static_cast<int>(rest / n_tiles_[1])}};
 }
 
 
 void TileGrid::find_tiles(
   const std::function<unsigned int(const dealii::Point<3> &)> &weight)
 {
-  const auto &n = levels_.n_tiles();
+  const auto &n = n_tiles_;
   dealii::Point<3> upper = box().lower;
   for (unsigned int d = 0; d < 3; ++d)
     upper[d] += tile_edge * box().cell_size * n[d];
   dealii::parallel::distributed::Triangulation<3> tiles(communicator_);
   dealii::GridGenerator::subdivided_hyper_rectangle(
     tiles, {n[0], n[1], n[2]}, box().lower, upper);
-  halve_blocks(tiles);
   if (weight)
   {
     tiles.signals.weight.connect([&](const auto &cell, const auto) {
-      // A halved block needs as much work as the eight blocks of a tile.
-      const unsigned int halved =
-        levels_.n_halved(tile_at_corner(cell->vertex(0)));
-      return weight(cell->vertex(0)) * (8 + 7 * halved);
+      // More than the weight that deal.II gives to each cell.
+      return 8 * weight(cell->vertex(0));
     });
     tiles.repartition();
   }
@@ -102,30 +102,18 @@ void TileGrid::find_tiles(
       const TileId id = tile_at_corner(cell->vertex(0));
       owners_[id] = cell->subdomain_id();
       if (cell->is_locally_owned())
-        add_own(id);
+        own_tiles_.push_back(id);
     }
   std::sort(own_tiles_.begin(), own_tiles_.end());
 }
 
 
-void TileGrid::add_own(const TileId tile)
-{
-  if (levels_.n_halved(tile) < 8)
-    own_tiles_.push_back(tile);
-  if (levels_.has_halves())
-    for (const TileId block : levels_.blocks(tile))
-      if (levels_.is_halved(block))
-        own_tiles_.push_back(block);
-}
-
-
-std::array<int, 3> TileGrid::cell_at(const dealii::Point<3> &place,
-                                     const unsigned int level) const
+std::array<int, 3> TileGrid::cell_at(const dealii::Point<3> &place) const
 {
   std::array<int, 3> cell;
   for (unsigned int d = 0; d < 3; ++d)
     cell[d] = static_cast<int>(
-      std::floor((place[d] - box().lower[d]) / levels_.cell_size(level)));
+      std::floor((place[d] - box().lower[d]) / box_.cell_size));
   return cell;
 }
 
@@ -133,25 +121,15 @@ std::array<int, 3> TileGrid::cell_at(const dealii::Point<3> &place,
 bool TileGrid::is_inside(const std::array<int, 3> &cell) const
 {
   for (unsigned int d = 0; d < 3; ++d)
-    if (cell[d] < 0 || cell[d] >= levels_.n_cells(0, d))
+    if (cell[d] < 0 || cell[d] >= static_cast<int>(box_.n_cells[d]))
       return false;
   return true;
 }
 
 
-TileGrid::TileId TileGrid::tile_at(const dealii::Point<3> &place) const
-{
-  if (levels_.has_halves())
-    if (const TileId block = levels_.tile_of(cell_at(place, 1), 1);
-        levels_.is_halved(block))
-      return block;
-  return tile_of(cell_at(place));
-}
-
-
 unsigned int TileGrid::owner(const TileId tile) const
 {
-  const auto found = owners_.find(levels_.coarse(tile));
+  const auto found = owners_.find(tile);
   if (found == owners_.end())
     throw NumericsError("a particle went beyond the neighbouring tiles in one "
                         "step; take a smaller Courant number");
@@ -159,14 +137,12 @@ unsigned int TileGrid::owner(const TileId tile) const
 }
 
 
-bool TileGrid::reflect(const unsigned int level,
-                       std::array<int, 3> &node,
-                       std::uint8_t &mirrored) const
+bool TileGrid::reflect(std::array<int, 3> &node, std::uint8_t &mirrored) const
 {
   mirrored = 0;
   for (unsigned int d = 0; d < 3; ++d)
   {
-    const int last = levels_.n_cells(level, d);
+    const int last = box_.n_cells[d];
     int &i = node[d];
     const unsigned int side = i < 0 ? 2 * d : 2 * d + 1;
     if ((i < 0 || i > last) && box().reflects[side])
@@ -174,17 +150,16 @@ bool TileGrid::reflect(const unsigned int level,
       i = i < 0 ? -i : 2 * last - i;
       mirrored |= (box().is_no_slip[side] ? 9u : 1u) << d;
     }
-    if (i < 0 || i >= levels_.n_nodes(level, d))
+    if (i < 0 || i >= static_cast<int>(tile_edge * n_tiles_[d]))
       return false;
   }
   return true;
 }
 
 
-void TileGrid::add_touched(const std::array<int, 3> &origin,
-                           const unsigned int level,
-                           std::set<TileId> &touched) const
+void TileGrid::add_touched(const TileId tile, std::set<TileId> &touched) const
 {
+  const auto first = origin(tile);
   // One node of each tile that the window may overlap.
   const std::array<int, 4> steps{{window_start, 0, tile_edge, last_node}};
   std::array<int, 3> node;
@@ -193,22 +168,10 @@ void TileGrid::add_touched(const std::array<int, 3> &origin,
     for (const int y : steps)
       for (const int x : steps)
       {
-        node = {{origin[0] + x, origin[1] + y, origin[2] + z}};
-        if (reflect(level, node, mirrored) && levels_.has_nodes(node, level))
-          touched.insert(levels_.tile_of(node, level));
+        node = {{first[0] + x, first[1] + y, first[2] + z}};
+        if (reflect(node, mirrored))
+          touched.insert(tile_of(node));
       }
-}
-
-
-bool TileGrid::is_at_border(const TileId tile) const
-{
-  std::array<int, 3> first = origin(tile), last = first;
-  for (unsigned int d = 0; d < 3; ++d)
-  {
-    first[d] -= 3;
-    last[d] += 6;
-  }
-  return !levels_.are_halved(first, last);
 }
 
 
@@ -274,8 +237,9 @@ void TileGrid::number_tiles(const std::vector<TileId> &needed)
 }
 
 
-void TileGrid::make_window(Source &source) const
+TileGrid::Source TileGrid::make_source(const TileId tile) const
 {
+  Source source{tile, origin(tile), {}, {}};
   source.nodes.assign(window_size, no_node);
   std::vector<std::uint8_t> mirrored(window_size, 0);
   bool any = false;
@@ -288,37 +252,16 @@ void TileGrid::make_window(Source &source) const
           window_edge * ((y - window_start) + window_edge * (z - window_start));
         std::array<int, 3> node{
           {source.origin[0] + x, source.origin[1] + y, source.origin[2] + z}};
-        if (source.level == 1 && !levels_.is_active(node, source.degree))
+        if (!reflect(node, mirrored[at]))
           continue;
-        if (!reflect(source.level, node, mirrored[at]))
+        const auto owner = local_tile_.find(tile_of(node));
+        if (owner == local_tile_.end())
           continue;
-        const auto tile = local_tile_.find(levels_.tile_of(node, source.level));
-        if (tile == local_tile_.end())
-          continue;
-        source.nodes[at] = nodes_per_tile * tile->second + node_in_tile(node);
+        source.nodes[at] = nodes_per_tile * owner->second + node_in_tile(node);
         any = any || mirrored[at] != 0;
       }
-  source.mirrored.clear();
   if (any)
     source.mirrored = std::move(mirrored);
-}
-
-
-TileGrid::Source TileGrid::make_source(const TileId tile,
-                                       const unsigned int degree) const
-{
-  Source source{tile, origin(tile), levels_.level(tile), {}, {}, {}, degree};
-  make_window(source);
-  if (source.level == 1 && is_at_border(tile))
-  {
-    Source coarse = source;
-    coarse.level = 0;
-    for (int &i : coarse.origin)
-      i /= 2;
-    make_window(coarse);
-    coarse.nodes.resize(two_scale_nodes * window_edge * window_edge);
-    source.coarse = std::make_shared<const Source>(std::move(coarse));
-  }
   return source;
 }
 
@@ -333,8 +276,7 @@ dealii::Point<3> TileGrid::place(const std::uint32_t node) const
                                  inside / (tile_edge * tile_edge)};
   dealii::Point<3> result = box().lower;
   for (unsigned int d = 0; d < 3; ++d)
-    result[d] += levels_.cell_size(levels_.level(tile)) *
-                 (first[d] + static_cast<int>(offset[d]));
+    result[d] += box_.cell_size * (first[d] + static_cast<int>(offset[d]));
   return result;
 }
 
@@ -345,14 +287,12 @@ void TileGrid::find_plane_nodes()
     nodes.clear();
   for (std::uint32_t node = 0; node < n_nodes(); ++node)
   {
-    const unsigned int level =
-      levels_.level(tiles_with_nodes_[node / nodes_per_tile]);
     const auto distance = place(node) - box().lower;
     for (unsigned int d = 0; d < 3; ++d)
     {
-      const long int i = std::lround(distance[d] / levels_.cell_size(level));
+      const long int i = std::lround(distance[d] / box_.cell_size);
       const unsigned int side = i == 0 ? 2 * d : 2 * d + 1;
-      if ((i == 0 || i == levels_.n_cells(level, d)) && box().reflects[side])
+      if ((i == 0 || i == box_.n_cells[d]) && box().reflects[side])
         for (unsigned int e = 0; e < 3; ++e)
           if (e == d || box().is_no_slip[side])
             plane_nodes_[e].push_back(node);
@@ -366,25 +306,11 @@ void TileGrid::activate(std::vector<TileId> sources)
   std::sort(sources.begin(), sources.end());
   std::set<TileId> needed;
   for (const TileId tile : sources)
-  {
-    auto first = origin(tile);
-    const unsigned int level = levels_.level(tile);
-    add_touched(first, level, needed);
-    if (level == 0 || !is_at_border(tile))
-      continue;
-    for (int &i : first)
-      i /= 2;
-    add_touched(first, 0, needed);
-  }
+    add_touched(tile, needed);
   number_tiles({needed.begin(), needed.end()});
   sources_.clear();
-  linear_sources_.clear();
-  const unsigned int degree = box().halving.degree;
   for (const TileId tile : sources)
-    sources_.push_back(make_source(tile, degree));
-  if (levels_.has_halves() && degree > 1)
-    for (const TileId tile : sources)
-      linear_sources_.push_back(make_source(tile, 1));
+    sources_.push_back(make_source(tile));
   find_plane_nodes();
 }
 } // namespace contrecoup::mpm

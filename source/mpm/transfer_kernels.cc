@@ -244,7 +244,7 @@ WindowGeometry window_geometry(const TileGrid &grid,
                                const TileGrid::Source &tile)
 {
   WindowGeometry result;
-  result.cell_size = grid.levels().cell_size(tile.level);
+  result.cell_size = grid.box().cell_size;
   for (unsigned int d = 0; d < 3; ++d)
     result.lower[d] = grid.box().lower[d] + result.cell_size * tile.origin[d];
   return result;

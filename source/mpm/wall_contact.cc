@@ -112,7 +112,7 @@ namespace
 
   double spacing_of(const ParticleSource &source, const TileGrid &grid)
   {
-    return grid.levels().smallest_cell_size() /
+    return grid.box().cell_size /
            std::max(
              {source.per_cell[0], source.per_cell[1], source.per_cell[2]});
   }
@@ -293,14 +293,8 @@ void WallContact::add_forces(const ParticleMaterial &material,
   for (std::size_t p = 0; p < particles.size(); ++p)
     if (particles[column::area][p] > 0.)
     {
-      // Uses the initial position, because a varying stiffness would add
-      // energy.
-      const double cell_size = grid.levels().cell_size(
-        grid.level_at({particles[column::initial_position][p],
-                       particles[column::initial_position + 1][p],
-                       particles[column::initial_position + 2][p]}));
-      const double stiffness =
-        material.density() * speed * speed / (thickness_ * cell_size);
+      const double stiffness = material.density() * speed * speed /
+                               (thickness_ * grid.box().cell_size);
       for (const RigidWall &wall : walls_)
         apply_force(wall, stiffness, p, particles);
     }

@@ -89,9 +89,6 @@ def refused_by_one():
            "MPM/Fields = one makes all regions stick")
     yield (COLUMN, "contact of one region", {"MPM/Fields": "contact"},
            "MPM/Fields = contact selects no interface")
-    yield (HEAD, "unknown fine region",
-           dict(particles, **{"MPM/Fine regions": "skul"}),
-           'MPM/Fine regions: there is no region "skul"; did you mean "skull"?')
 
 
 def warned_of():

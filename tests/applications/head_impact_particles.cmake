@@ -18,13 +18,6 @@ contrecoup_add_application_test(particles_head_slip bounds,resume,ranks
   "Region CSF/Interface=slip" BOUNDS ${_ledger} "results.peak_contact_force > 10"
   COMPARE history.csv probes.csv STOP_AFTER 8
   TOLERANCE 3e-10 "energy_residual*=1e-12 absolute" "pressure_*=5e-7 absolute" RANKS 2 7)
-# Cells of 8 mm where skull and CSF are, of 16 mm elsewhere.
-contrecoup_add_application_test(particles_head_fine bounds,resume,ranks
-  FILE head_impact/quickstart.prm SET ${_particles} "Output/Fields=false"
-  "Region CSF/Interface=slip" "MPM/Cell size=0.016" "MPM/Fine regions=skull, CSF"
-  "MPM/Fine margin=0" BOUNDS ${_ledger} "results.peak_contact_force > 10"
-  COMPARE history.csv probes.csv STOP_AFTER 8
-  TOLERANCE 3e-10 "energy_residual*=1e-11 absolute" "pressure_*=1e-8 absolute")
 contrecoup_add_application_test(particles_head_oblique bounds
   FILE head_impact/quickstart.prm SET ${_particles} "Output/Fields=false"
   "Mesh/Symmetry planes=y" "Plane wall/Normal=1, 0, 1"
@@ -60,15 +53,6 @@ contrecoup_add_application_test(particles_refuse_wall_in_head refusal
 contrecoup_add_application_test(particles_refuse_linear_apic refusal
   FILE head_impact/quickstart.prm SET ${_particles} "MPM/Basis=linear"
   "MPM/Transfer=apic" MESSAGE "apic needs MPM/Basis = quadratic or cubic")
-contrecoup_add_application_test(particles_refuse_fine_quadratic refusal
-  FILE head_impact/quickstart.prm SET ${_particles} "MPM/Basis=quadratic"
-  "MPM/Fine regions=skull" MESSAGE "Fine regions needs MPM/Basis = linear or cubic")
-contrecoup_add_application_test(particles_refuse_fine_apic refusal
-  FILE head_impact/quickstart.prm SET ${_particles} "MPM/Transfer=apic"
-  "MPM/Fine regions=skull" MESSAGE "Fine regions needs MPM/Transfer = flip")
-contrecoup_add_application_test(particles_refuse_fine_unknown refusal
-  FILE head_impact/quickstart.prm SET ${_particles} "MPM/Fine regions=skul"
-  MESSAGE "there is no region \"skul\"")
 contrecoup_add_application_test(particles_refuse_probe_outside refusal
   FILE head_impact/quickstart.prm SET ${_particles} "Probes/Points=0, 0, 1"
   MESSAGE "is outside of the matter")

@@ -168,7 +168,6 @@ CASES = {
         "Injury/Measure *": (
             HEAD, ["Injury/Measure none/Thresholds=1: harm"],
             "Injury/Measure none: there is no such measure"),
-        "MPM/Fine regions": (DISKS, ["MPM/Fine regions=liver"]),
         "Reference/Extent */Region": (
             "head_impact/verification/taylor_bar.prm",
             ["Reference/Extent none/Region=liver"]),

@@ -43,7 +43,7 @@ public:
     for (const auto tile : grid.own_tiles())
     {
       const auto origin = grid.origin(tile);
-      const double size = grid.levels().cell_size(grid.levels().level(tile));
+      const double size = box.cell_size;
       const int edge = TileGrid::tile_edge;
       for (int k = 0; k < edge * int(n[2]); ++k)
         for (int j = 0; j < edge * int(n[1]); ++j)

@@ -90,11 +90,9 @@ private:
   void find_gradients(const TileGrid &grid, Particles &particles);
   void find_normals(const TileGrid &grid, Pair &pair) const;
   void find_gap(const TileGrid &grid, Particles &particles, Pair &pair) const;
-  /// Updates the extents with the particles of a tile of level @p level. @param
-  /// source window of the tile, or the window of level 0 at the same place
+  /// Updates the extents with the particles of a tile.
   void update_extents_of(const TileGrid &grid,
                          const TileGrid::Source &source,
-                         const unsigned int level,
                          const Particles::TileBlocks &blocks,
                          const Pair &pair,
                          NodeValues &extents) const;

@@ -40,20 +40,6 @@ unsigned int tile_weight(const GridBox &box,
                          const dealii::Point<3> &lower);
 
 /**
- * Whether one of the chosen materials is within a margin of a cube. Tested at
- * sample points.
- * @param is_chosen by material
- * @param margin,spacing margin around the cube, and spacing of the sample
- * points [m]
- */
-bool is_near_material(const ParticleSource &source,
-                      const std::vector<bool> &is_chosen,
-                      const dealii::Point<3> &lower,
-                      const double edge,
-                      const double margin,
-                      const double spacing);
-
-/**
  * Fills the tiles of this rank with particles. Every cell is divided into
  * per_cell equal boxes; each material within a box gets one particle at the
  * material's centre of mass there, with its volume in the box. Boxes whose

@@ -50,23 +50,6 @@ namespace
       "Particles per cell along x, y and z; 2, 2, 2 puts 8 into a full cell.");
     declare_selection(
       prm, "Basis", "cubic", mpm::basis_names(), "B-splines of the grid.");
-    declare_string(
-      prm,
-      "Fine regions",
-      "",
-      selecting("Names of regions, separated by commas: grid cells at "
-                "their initial positions are halved for the whole run, "
-                "in blocks of 2 x 2 x 2. Empty: none."));
-    declare_double(
-      prm,
-      "Fine margin",
-      "1",
-      0.,
-      100.,
-      "-",
-      used_with(
-        "MPM/Fine regions not empty",
-        "Margin around these regions with halved cells, in coarse cells."));
   }
 
   void declare_scheme(ParameterHandler &prm)
@@ -186,12 +169,6 @@ void ParticleScene::parse_parameters(ParameterHandler &prm)
   const Section section(prm, "MPM");
   cell_size_ = read_double(prm, "Cell size");
   scheme_.degree = mpm::find_basis(prm.get("Basis"));
-  fine_regions_ = split(prm.get("Fine regions"), ',');
-  fine_margin_ = read_double(prm, "Fine margin");
-  if (!fine_regions_.empty() && scheme_.degree == 2)
-    throw InputError(
-      "MPM/Fine regions needs MPM/Basis = linear or cubic: quadratic splines "
-      "of halved cells cannot represent those of whole cells");
   scheme_.transfer = mpm::find_transfer(prm.get("Transfer"));
   scheme_.update = mpm::find_stress_update(prm.get("Update"));
   scheme_.series_order = read_unsigned(prm, "Series order");
@@ -208,10 +185,6 @@ void ParticleScene::parse_parameters(ParameterHandler &prm)
   resampling_.max_per_cell =
     std::max<double>(read_unsigned(prm, "Merge above"),
                      3. * numbers[0] * numbers[1] * numbers[2]);
-  if (!fine_regions_.empty() && scheme_.transfer != mpm::Transfer::flip)
-    throw InputError(
-      "MPM/Fine regions needs MPM/Transfer = flip: others slow the rotation "
-      "of matter in every step where levels meet");
   if (scheme_.transfer == mpm::Transfer::affine && scheme_.degree == 1)
     throw InputError(
       "MPM/Transfer = apic needs MPM/Basis = quadratic or cubic");
@@ -303,38 +276,6 @@ void ParticleScene::make_source(const MeshDescription &mesh,
 }
 
 
-void ParticleScene::halve_cells()
-{
-  box_.halving = mpm::Halving();
-  box_.halving.degree = scheme_.degree;
-  std::vector<bool> is_fine(materials_.size(), false);
-  for (const std::string &name : fine_regions_)
-    is_fine[find_material(materials_, "MPM/Fine regions", name)] = true;
-  if (fine_regions_.empty())
-    return;
-  // Samples each halved cell once along each direction.
-  box_.halving.blocks = [source = source_,
-                         is_fine,
-                         spacing = 0.5 * cell_size_,
-                         margin = fine_margin_ * cell_size_](
-                          const dealii::Point<3> &lower, const double edge) {
-    return mpm::is_near_material(source, is_fine, lower, edge, margin, spacing);
-  };
-}
-
-
-double ParticleScene::cell_size_at(const dealii::Point<3> &place) const
-{
-  if (!box_.halving.blocks)
-    return cell_size_;
-  const double edge = mpm::TileLevels::block_edge * cell_size_;
-  dealii::Point<3> lower = box_.lower;
-  for (unsigned int d = 0; d < 3; ++d)
-    lower[d] += edge * std::floor((place[d] - lower[d]) / edge);
-  return box_.halving.blocks(lower, edge) ? 0.5 * cell_size_ : cell_size_;
-}
-
-
 void ParticleScene::make_box(const MeshDescription &mesh,
                              const double largest_speed,
                              const double end_time)
@@ -372,7 +313,6 @@ void ParticleScene::reinit(const MeshDescription &mesh,
   make_box(mesh, regions.largest_components().norm(), end_time);
   make_materials(regions);
   make_source(mesh, regions);
-  halve_cells();
   walls_.clear();
   for (const ContactPlane &plane : planes.planes())
     walls_.push_back({plane.name, plane.point, plane.normal, plane.friction});

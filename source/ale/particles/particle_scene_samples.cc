@@ -111,8 +111,7 @@ bool ParticleScene::is_near_matter(const dealii::Point<3> &place) const
 }
 
 
-unsigned int ParticleScene::n_materials_in(const dealii::Point<3> &lower,
-                                           const double cell_size) const
+unsigned int ParticleScene::n_materials_in(const dealii::Point<3> &lower) const
 {
   // As far inside as the outermost samples of mpm::seed().
   constexpr std::array<double, 3> at = {{1. / 16., 15. / 16., 0.5}};
@@ -121,7 +120,7 @@ unsigned int ParticleScene::n_materials_in(const dealii::Point<3> &lower,
     dealii::Point<3> place = lower;
     const std::array<double, 3> parts{{x, y, z}};
     for (unsigned int d = 0; d < 3; ++d)
-      place[d] += parts[d] * cell_size / source_.per_cell[d];
+      place[d] += parts[d] * cell_size_ / source_.per_cell[d];
     const int material = source_.material_at(place);
     if (material != mpm::ParticleSource::none &&
         std::find(found.begin(), found.end(), material) == found.end())
@@ -156,16 +155,15 @@ double ParticleScene::n_particles() const
         for (unsigned int d = 0; d < 3; ++d)
           place[d] = box_.lower[d] +
                      (at[d] + 0.5) / n[d] * box_.n_cells[d] * box_.cell_size;
-        const double size = cell_size_at(place);
         dealii::Point<3> lower;
         for (unsigned int d = 0; d < 3; ++d)
         {
-          const double edge = size / source_.per_cell[d];
+          const double edge = cell_size_ / source_.per_cell[d];
           lower[d] =
             box_.lower[d] +
             edge * std::floor((place[d] - box_.lower[d]) / edge + 1e-9);
         }
-        count += n_materials_in(lower, size) * std::pow(cell_size_ / size, 3);
+        count += n_materials_in(lower);
       }
   return count * boxes_a_point;
 }

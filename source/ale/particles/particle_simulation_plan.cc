@@ -78,8 +78,7 @@ CostEstimate ParticleSimulation::estimate()
     speed =
       std::max(speed, std::sqrt(regions_.matter_at({}, m).sound_speed_squared));
   speed += regions_.fastest_velocity().norm();
-  cost.steps =
-    std::ceil(end_time_ * speed / (courant_ * scene_.smallest_cell_size()));
+  cost.steps = std::ceil(end_time_ * speed / (courant_ * scene_.cell_size()));
   head_.check_interval(cost.steps);
   cost.seconds = cost.steps * cost.cells / typical_speed /
                  dealii::Utilities::MPI::n_mpi_processes(communicator_);
@@ -115,10 +114,9 @@ std::vector<NamedValue> ParticleSimulation::cells_across() const
 {
   std::vector<NamedValue> values;
   for (const MeshDescription::Shell &shell : mesh_.shells())
-    values.push_back(
-      {"cells_across_" + shell.name,
-       "-",
-       shell.thickness / scene_.cell_size_at({shell.middle, 0., 0.})});
+    values.push_back({"cells_across_" + shell.name,
+                      "-",
+                      shell.thickness / scene_.cell_size()});
   return values;
 }
 

@@ -84,17 +84,11 @@ public:
   /// [m].
   double half_spacing() const;
 
-  /// Size of coarse grid cells [m].
+  /// Size of grid cells [m].
   double cell_size() const
   {
     return cell_size_;
   }
-  double smallest_cell_size() const
-  {
-    return fine_regions_.empty() ? cell_size_ : 0.5 * cell_size_;
-  }
-  /// Grid cell size at a point of the box [m].
-  double cell_size_at(const dealii::Point<3> &place) const;
 
   /// Calls @p work(place, material) at those points of a lattice over the box
   /// where there is matter.
@@ -123,20 +117,15 @@ public:
 private:
   /// Number of materials in a box that has a particle of each, see mpm::seed().
   /// @param lower corner [m]
-  /// @param cell_size of the grid there [m]
-  unsigned int n_materials_in(const dealii::Point<3> &lower,
-                              double cell_size) const;
+  unsigned int n_materials_in(const dealii::Point<3> &lower) const;
   void make_materials(const RegionDescriptions &regions);
   void make_source(const MeshDescription &mesh,
                    const RegionDescriptions &regions);
-  void halve_cells();
   void make_box(const MeshDescription &mesh,
                 const double largest_speed,
                 const double end_time);
 
   double cell_size_ = 0.;
-  std::vector<std::string> fine_regions_;
-  double fine_margin_ = 0.; ///< in cells
   mpm::TransferScheme scheme_;
   std::string smoothing_;
   std::string fields_;
