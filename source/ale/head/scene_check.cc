@@ -24,32 +24,11 @@ namespace
 } // namespace
 
 
-double SceneCheck::motion_along(const unsigned int axis,
-                                const RegionDescriptions &regions,
-                                const ContactPlanes &planes,
-                                const Acceleration &acceleration)
+SceneCheck::SceneCheck(const ImpactScene &scene)
+  : scene_(scene)
+  , approaches_(scene.planes.planes().size())
 {
-  const double component = regions.largest_components()[axis];
-  double motion =
-    component > 0. ? component / regions.fastest_velocity().norm() : 0.;
-  for (const ContactPlane &plane : planes.planes())
-    motion = std::max(motion, std::abs(plane.normal[axis]));
-  return acceleration[axis].is_zero() ? motion : 1.;
-}
-
-
-SceneCheck::SceneCheck(const MeshDescription &mesh,
-                       const RegionDescriptions &regions,
-                       const ContactPlanes &planes,
-                       const Acceleration &acceleration,
-                       const double end_time)
-  : mesh_(mesh)
-  , regions_(regions)
-  , planes_(planes)
-  , acceleration_(acceleration)
-  , end_time_(end_time)
-  , approaches_(planes.planes().size())
-{
+  const RegionDescriptions &regions = scene.regions;
   const std::size_t n_regions = regions.regions().size();
   if (!regions.velocity_depends_on_place())
     for (unsigned int region = 0; region < n_regions; ++region)
@@ -60,7 +39,7 @@ SceneCheck::SceneCheck(const MeshDescription &mesh,
 dealii::Tensor<1, 3> SceneCheck::velocity_at(const dealii::Point<3> &place,
                                              const unsigned int region) const
 {
-  return velocities_.empty() ? regions_.velocity_at(place, region)
+  return velocities_.empty() ? scene_.regions.velocity_at(place, region)
                              : velocities_[region];
 }
 
@@ -73,7 +52,7 @@ void SceneCheck::add_matter(const dealii::Point<3> &place,
   const auto velocity = velocity_at(place, region);
   for (std::size_t i = 0; i < approaches_.size(); ++i)
   {
-    const ContactPlane &plane = planes_.planes()[i];
+    const ContactPlane &plane = scene_.planes.planes()[i];
     Approach &approach = approaches_[i];
     approach.gap = std::min(approach.gap, plane.normal * (place - plane.point));
     approach.speed = std::max(approach.speed, -(plane.normal * velocity));
@@ -88,22 +67,22 @@ void SceneCheck::add_on_symmetry_plane(const unsigned int axis,
   const std::string name(1, "xyz"[axis]);
   const std::string remedy =
     ": take " + name + " from " +
-    (mesh_.wedge().active() ? "the planes through Mesh/Wedge axis"
-                            : "Mesh/Symmetry planes");
+    (scene_.mesh.wedge().active() ? "the planes through Mesh/Wedge axis"
+                                  : "Mesh/Symmetry planes");
   // Round-off of expressions such as sin(pi).
   const auto velocity = velocity_at(place, region);
   constexpr double small = 1e-9;
   if (std::abs(velocity[axis]) > small * std::max(1., velocity.norm()))
-    throw InputError("Region " + regions_.regions()[region].name +
+    throw InputError("Region " + scene_.regions.regions()[region].name +
                      "/Velocity " + name + " is " + brief(velocity[axis]) +
                      " m/s across the plane of symmetry normal to " + name +
                      ", at (" + coordinates(place) + ") m" + remedy);
-  const Expression &force = acceleration_[axis];
+  const Expression &force = scene_.acceleration[axis];
   if (force.is_zero())
     return;
   for (unsigned int i = 0; i <= n_times; ++i)
   {
-    const double time = end_time_ * i / n_times;
+    const double time = scene_.end_time * i / n_times;
     if (const double value = force.value(place, time); std::abs(value) > small)
       throw InputError("Body force/" + name + " is " + brief(value) +
                        " m/s^2 across the plane of symmetry normal to " + name +
@@ -113,27 +92,20 @@ void SceneCheck::add_on_symmetry_plane(const unsigned int axis,
 }
 
 
-bool SceneCheck::has_body_force() const
-{
-  return std::any_of(acceleration_.begin(),
-                     acceleration_.end(),
-                     [](const Expression &one) { return !one.is_zero(); });
-}
-
-
 std::optional<double>
 SceneCheck::time_of_contact(const Approach &approach,
                             const ContactPlane &plane) const
 {
   double speed = approach.speed, way = 0.;
-  const double step = end_time_ / n_times;
+  const double step = scene_.end_time / n_times;
   if (approach.gap <= position_tolerance && speed > 0.)
     return 0.;
   for (unsigned int i = 0; i < n_times; ++i)
   {
     double towards = 0.;
     for (unsigned int d = 0; d < 3; ++d)
-      towards -= plane.normal[d] * acceleration_[d].value({}, (i + 0.5) * step);
+      towards -=
+        plane.normal[d] * scene_.acceleration[d].value({}, (i + 0.5) * step);
     way += step * (speed + 0.5 * step * towards);
     speed += step * towards;
     if (way > 0. && way >= approach.gap)
@@ -145,14 +117,14 @@ SceneCheck::time_of_contact(const Approach &approach,
 
 void SceneCheck::warn_of_velocities() const
 {
-  if (mesh_.head() == nullptr)
+  if (scene_.mesh.head() == nullptr)
     return;
   for (std::size_t i = 1; i < velocities_.size(); ++i)
     if (velocities_[i] != velocities_[0])
-      log_line("WARNING: Region " + regions_.regions()[i].name +
+      log_line("WARNING: Region " + scene_.regions.regions()[i].name +
                "/Velocity: (" + coordinates(dealii::Point<3>(velocities_[i])) +
                ") m/s at the start, while region " +
-               regions_.regions()[0].name + " of the same head has (" +
+               scene_.regions.regions()[0].name + " of the same head has (" +
                coordinates(dealii::Point<3>(velocities_[0])) + ") m/s");
 }
 
@@ -168,12 +140,12 @@ void SceneCheck::check_planes(const bool others) const
                   return velocity == velocities_.front();
                 });
   const bool forces_vary =
-    std::any_of(acceleration_.begin(),
-                acceleration_.end(),
+    std::any_of(scene_.acceleration.begin(),
+                scene_.acceleration.end(),
                 [](const Expression &one) { return one.depends_on_place(); });
   for (std::size_t i = 0; i < approaches_.size(); ++i)
   {
-    const ContactPlane &plane = planes_.planes()[i];
+    const ContactPlane &plane = scene_.planes.planes()[i];
     const Approach &approach = approaches_[i];
     if (approach.gap < -position_tolerance)
       throw InputError("Plane " + plane.name +
@@ -190,7 +162,7 @@ void SceneCheck::check_planes(const bool others) const
       "the body is " + brief(gap) + " m away and " +
       (speed > 0. ? "comes nearer at " + brief(speed) + " m/s"
                   : "does not come nearer");
-    if (is_uniform && speed <= 0. && !others && !has_body_force() &&
+    if (is_uniform && speed <= 0. && !others && !scene_.has_body_force() &&
         approaches_.size() == 1)
     {
       Selections selections;
@@ -201,10 +173,10 @@ void SceneCheck::check_planes(const bool others) const
       selections.require_some(MPI_COMM_SELF, where);
     }
     log_line("WARNING: Plane " + plane.name + ": " + where +
-             (speed > 0. && !has_body_force()
+             (speed > 0. && !scene_.has_body_force()
                 ? ", and reaches it at " + brief(gap / speed) + " s, after"
                 : "; it is not expected to be reached before") +
-             " Time/End time = " + brief(end_time_) + " s");
+             " Time/End time = " + brief(scene_.end_time) + " s");
   }
 }
 } // namespace contrecoup::ale

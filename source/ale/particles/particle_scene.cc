@@ -305,16 +305,14 @@ void ParticleScene::make_box(const MeshDescription &mesh,
 }
 
 
-void ParticleScene::reinit(const MeshDescription &mesh,
-                           const RegionDescriptions &regions,
-                           const ContactPlanes &planes,
-                           const double end_time)
+void ParticleScene::reinit(const ImpactScene &impact)
 {
-  make_box(mesh, regions.largest_components().norm(), end_time);
-  make_materials(regions);
-  make_source(mesh, regions);
+  const MeshDescription &mesh = impact.mesh;
+  make_box(mesh, impact.regions.largest_components().norm(), impact.end_time);
+  make_materials(impact.regions);
+  make_source(mesh, impact.regions);
   walls_.clear();
-  for (const ContactPlane &plane : planes.planes())
+  for (const ContactPlane &plane : impact.planes.planes())
     walls_.push_back({plane.name, plane.point, plane.normal, plane.friction});
   if (const double radius = mesh.sphere_radius(); radius > 0.)
     walls_.push_back({"sphere", {}, {}, 0., radius, true});

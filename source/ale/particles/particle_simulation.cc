@@ -37,40 +37,16 @@ namespace
 
 void ParticleSimulation::parse_parameters(ParameterHandler &prm)
 {
-  mesh_.parse_parameters(prm);
-  if (mesh_.wedge().active())
+  impact_.parse_parameters(prm);
+  if (impact_.mesh.wedge().active())
     throw InputError("Mesh/Wedge axis: particles fill no wedge; use Method = "
                      "ale");
-  regions_.parse_parameters(prm);
-  planes_.parse_parameters(prm);
   scene_.parse_parameters(prm);
   reference_.parse_parameters(prm);
   head_.parse_parameters(prm);
   refuse_entries_of_meshes(prm);
-  {
-    const Section section(prm, "Body force");
-    for (unsigned int d = 0; d < 3; ++d)
-    {
-      const std::string name(1, "xyz"[d]);
-      acceleration_[d] = Expression("Body force/" + name, prm.get(name));
-    }
-  }
-  {
-    const Section section(prm, "Scheme");
-    courant_ = read_double(prm, "Courant number");
-    largest_retries_ = read_unsigned(prm, "Largest number of retries");
-  }
-  {
-    const Section section(prm, "Probes");
-    probe_places_ = read_points<3>(prm, "Points");
-  }
-  Reference::check_probes(prm, probe_places_.size());
-  {
-    const Section section(prm, "Time");
-    end_time_ = read_double(prm, "End time");
-  }
-  reference_.check_times(end_time_);
-  scene_.reinit(mesh_, regions_, planes_, end_time_);
+  reference_.check_times(impact_.end_time);
+  scene_.reinit(impact_);
 }
 
 
@@ -99,20 +75,20 @@ void ParticleSimulation::build_grid()
   step_ = std::make_unique<mpm::ParticleStep>(
     scene_.scheme(), scene_.materials(), scene_.field_contact());
   contact_ = mpm::WallContact(scene_.walls());
-  reference_.reinit(scene_.materials(), scene_.half_spacing(), probe_places_);
+  reference_.reinit(scene_.materials(), scene_.half_spacing(), impact_.probes);
 }
 
 
 void ParticleSimulation::find_probes()
 {
-  for (unsigned int i = 0; i < probe_places_.size(); ++i)
+  for (unsigned int i = 0; i < impact_.probes.size(); ++i)
   {
     double nearest = std::numeric_limits<double>::max();
     particles_.for_each_block([&](unsigned int, const mpm::ParticleBlock &one) {
       for (std::size_t p = 0; p < one.size(); ++p)
         if (one[column::probe][p] == 0.)
           nearest =
-            std::min(nearest, place_of(one, p).distance(probe_places_[i]));
+            std::min(nearest, place_of(one, p).distance(impact_.probes[i]));
     });
     const double all = mpi::min(nearest, communicator_);
     // Among equally near particles, one of the lowest rank counts.
@@ -124,7 +100,7 @@ void ParticleSimulation::find_probes()
     particles_.for_each_block([&](unsigned int, mpm::ParticleBlock &one) {
       for (std::size_t p = 0; p < one.size() && !found; ++p)
         if (one[column::probe][p] == 0. &&
-            place_of(one, p).distance(probe_places_[i]) <=
+            place_of(one, p).distance(impact_.probes[i]) <=
               nearest * (1. + 1e-12))
         {
           one[column::probe][p] = i + 1;
@@ -150,16 +126,16 @@ void ParticleSimulation::setup()
       counts[m] += one.size();
     });
   mpi::sum(counts, communicator_, counts);
-  regions_.require_some(counts, "particle");
+  impact_.regions.require_some(counts, "particle");
   step_->start(grid_, particles_);
   const auto totals = step_->totals(grid_, particles_);
   initial_energy_ = totals.kinetic_energy + totals.internal_energy;
   largest_.any = std::max(totals.kinetic_energy, totals.stored_energy);
-  if (!planes_.empty())
-    contact_record_.start(planes_.planes().front(),
+  if (!impact_.planes.empty())
+    contact_record_.start(impact_.planes.planes().front(),
                           totals.momentum,
                           totals.mass,
-                          mesh_.symmetry_planes());
+                          impact_.mesh.symmetry_planes());
   head_.reinit(particles_, communicator_);
   head_.follow(scene_.materials(), time_, communicator_, particles_);
 }
@@ -168,7 +144,8 @@ void ParticleSimulation::setup()
 StepReport ParticleSimulation::advance(const double largest_step)
 {
   const double signal = step_->signal_time(grid_, particles_);
-  const double largest = std::min(largest_step, courant_ * signal);
+  const double largest =
+    std::min(largest_step, impact_.courant_number * signal);
   contact_.clear_measures();
   const auto forces = [&](const unsigned int m, mpm::ParticleBlock &block) {
     set_body_force(block);
@@ -177,7 +154,7 @@ StepReport ParticleSimulation::advance(const double largest_step)
   };
   StepReport report;
   report.step_size =
-    step_->advance(grid_, particles_, largest, largest_retries_, forces);
+    step_->advance(grid_, particles_, largest, impact_.largest_retries, forces);
   time_ += report.step_size;
   report.retries = step_->n_retries();
   report.updates = static_cast<double>(n_particles_);
@@ -193,7 +170,7 @@ void ParticleSimulation::set_body_force(mpm::ParticleBlock &block) const
 {
   for (unsigned int d = 0; d < 3; ++d)
   {
-    const Expression &acceleration = acceleration_[d];
+    const Expression &acceleration = impact_.acceleration[d];
     const bool varies = acceleration.depends_on_place();
     double value = varies ? 0. : acceleration.value({}, time_);
     for (std::size_t p = 0; p < block.size(); ++p)
@@ -312,14 +289,15 @@ std::vector<NamedValue> ParticleSimulation::history()
   for (NamedValue &measure : particle_measures(
          scene_.materials(), particles_, extremes_.take(), communicator_))
     values.push_back(std::move(measure));
-  set_to_whole(values, mesh_.computed_fraction(), mesh_.symmetry_planes());
+  set_to_whole(
+    values, impact_.mesh.computed_fraction(), impact_.mesh.symmetry_planes());
   return values;
 }
 
 
 std::vector<NamedValue> ParticleSimulation::probes()
 {
-  std::vector<double> found(2 * probe_places_.size(), 0.);
+  std::vector<double> found(2 * impact_.probes.size(), 0.);
   particles_.for_each_block(
     [&](const unsigned int m, const mpm::ParticleBlock &block) {
       for (std::size_t p = 0; p < block.size(); ++p)
@@ -335,7 +313,7 @@ std::vector<NamedValue> ParticleSimulation::probes()
     });
   mpi::sum(found, communicator_, found);
   std::vector<NamedValue> values;
-  for (std::size_t i = 0; i < probe_places_.size(); ++i)
+  for (std::size_t i = 0; i < impact_.probes.size(); ++i)
   {
     const std::string name = "_" + std::to_string(i + 1);
     values.push_back({"pressure" + name, "Pa", found[2 * i]});
@@ -363,7 +341,8 @@ std::vector<NamedValue> ParticleSimulation::results()
   for (const NamedValue &value : region_contact_.values(time_))
     if (value.name.find("area") == std::string::npos)
       values.push_back({"region_" + value.name, value.unit, value.value});
-  set_to_whole(values, mesh_.computed_fraction(), mesh_.symmetry_planes());
+  set_to_whole(
+    values, impact_.mesh.computed_fraction(), impact_.mesh.symmetry_planes());
   const RunEnd end = head_.end_at(time_, contact_record_, extremes_);
   for (const NamedValue &value : head_.coup(communicator_, end))
     values.push_back(value);
@@ -380,7 +359,7 @@ void ParticleSimulation::finish(const std::string &folder)
     folder, communicator_, head_.end_at(time_, contact_record_, extremes_));
   const std::string pressures = head_.pressures_in_words(scene_.materials());
   for (const std::string &line :
-       answer_lines(results(), !planes_.empty(), pressures))
+       answer_lines(results(), !impact_.planes.empty(), pressures))
     show_line(line);
 }
 

@@ -30,36 +30,30 @@ namespace
 } // namespace
 
 
-bool ParticleSimulation::is_on_symmetry_plane(const unsigned int axis) const
-{
-  return mesh_.has_layers() && mesh_.symmetry_planes()[axis];
-}
-
-
 void ParticleSimulation::check_scene()
 {
-  const std::vector<Region> regions = regions_.regions();
-  head_.find(regions, planes_.planes());
-  reference_.reinit(scene_.materials(), scene_.half_spacing(), probe_places_);
-  regions_.require_some(scene_.count_matter(), "particle");
-  SceneCheck check(mesh_, regions_, planes_, acceleration_, end_time_);
+  const std::vector<Region> regions = impact_.regions.regions();
+  head_.find(regions, impact_.planes.planes());
+  reference_.reinit(scene_.materials(), scene_.half_spacing(), impact_.probes);
+  impact_.regions.require_some(scene_.count_matter(), "particle");
+  SceneCheck check(impact_);
   scene_.sample_matter(check_samples,
                        [&](const dealii::Point<3> &place, const int region) {
                          check.add_matter(place, region);
                        });
-  for (const ContactPlane &plane : planes_.planes())
+  for (const ContactPlane &plane : impact_.planes.planes())
     if (const auto lowest = scene_.lowest_matter(plane.normal))
       check.add_matter(*lowest, scene_.source().material_at(*lowest));
   for (unsigned int d = 0; d < 3; ++d)
-    if (is_on_symmetry_plane(d))
+    if (impact_.has_symmetry_plane(d))
       scene_.sample_matter(
         check_samples,
         [&](const dealii::Point<3> &place, const int region) {
           check.add_on_symmetry_plane(d, place, region);
         },
         d);
-  check.check_planes(regions_.has_pressure());
-  for (const dealii::Point<3> &place : probe_places_)
+  check.check_planes(impact_.regions.has_pressure());
+  for (const dealii::Point<3> &place : impact_.probes)
     if (!scene_.is_near_matter(place))
       throw InputError("Probes/Points: (" + coordinates(place) +
                        ") m is outside of the matter");
@@ -75,10 +69,11 @@ CostEstimate ParticleSimulation::estimate()
   cost.memory = typical_memory * cost.cells;
   double speed = 0.;
   for (unsigned int m = 0; m < scene_.materials().size(); ++m)
-    speed =
-      std::max(speed, std::sqrt(regions_.matter_at({}, m).sound_speed_squared));
-  speed += regions_.fastest_velocity().norm();
-  cost.steps = std::ceil(end_time_ * speed / (courant_ * scene_.cell_size()));
+    speed = std::max(
+      speed, std::sqrt(impact_.regions.matter_at({}, m).sound_speed_squared));
+  speed += impact_.regions.fastest_velocity().norm();
+  cost.steps = std::ceil(impact_.end_time * speed /
+                         (impact_.courant_number * scene_.cell_size()));
   head_.check_interval(cost.steps);
   cost.seconds = cost.steps * cost.cells / typical_speed /
                  dealii::Utilities::MPI::n_mpi_processes(communicator_);
@@ -88,24 +83,8 @@ CostEstimate ParticleSimulation::estimate()
 
 ImpactPlan ParticleSimulation::impact_plan() const
 {
-  ImpactPlan plan;
-  plan.regions = regions_.regions();
-  plan.planes = planes_.planes();
-  plan.head = estimate_head(mesh_, regions_, planes_);
-  plan.end_time = end_time_;
-  plan.thresholds = head_.own_thresholds();
-  plan.has_brain = head_.has_brain();
-  plan.velocity = regions_.fastest_velocity();
+  ImpactPlan plan = impact_.plan(head_);
   plan.cell_size = scene_.cell_size();
-  plan.computed_fraction = plan.cost = plan.least_cost =
-    mesh_.computed_fraction();
-  for (unsigned int d = 0; d < 3; ++d)
-    if (is_on_symmetry_plane(d))
-      plan.asymmetry =
-        std::max(plan.asymmetry,
-                 SceneCheck::motion_along(d, regions_, planes_, acceleration_));
-  for (const Expression &component : acceleration_)
-    plan.has_body_force = plan.has_body_force || !component.is_zero();
   return plan;
 }
 
@@ -113,7 +92,7 @@ ImpactPlan ParticleSimulation::impact_plan() const
 std::vector<NamedValue> ParticleSimulation::cells_across() const
 {
   std::vector<NamedValue> values;
-  for (const MeshDescription::Shell &shell : mesh_.shells())
+  for (const MeshDescription::Shell &shell : impact_.mesh.shells())
     values.push_back({"cells_across_" + shell.name,
                       "-",
                       shell.thickness / scene_.cell_size()});
@@ -144,7 +123,7 @@ Assumption ParticleSimulation::layer_resolution() const
 std::vector<Assumption> ParticleSimulation::plan()
 {
   std::vector<Assumption> items = impact_plan().plan();
-  if (mesh_.head() != nullptr)
+  if (impact_.mesh.head() != nullptr)
     items.push_back(layer_resolution());
   return items;
 }
@@ -162,7 +141,7 @@ std::vector<Assumption> ParticleSimulation::audit()
                          0.,
                          largest_.any,
                          time()});
-  if (mesh_.head() != nullptr)
+  if (impact_.mesh.head() != nullptr)
   {
     items.push_back(layer_resolution());
     items.back().is_estimate = true;

@@ -7,7 +7,6 @@
 #include <contrecoup/ale/run/ale_output.h>
 #include <contrecoup/ale/run/ale_simulation.h>
 #include <contrecoup/base/parameters/parameters.h>
-#include <contrecoup/base/parameters/selecting.h>
 #include <contrecoup/base/parameters/used_with.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/log.h>
@@ -73,33 +72,14 @@ namespace
 
 void AleSimulation::declare_parameters(ParameterHandler &prm)
 {
-  MeshDescription::declare_parameters(prm);
-  RegionDescriptions::declare_parameters(prm);
+  ImpactScene::declare_parameters(prm);
   Rezone::declare_parameters(prm);
   HeatSource::declare_parameters(prm);
-  ContactPlanes::declare_parameters(prm);
   InterfaceCoupling::declare_parameters(prm);
   Reference::declare_parameters(prm);
   HeadMeasures::declare_parameters(prm);
   {
-    const Section section(prm, "Body force");
-    for (const char *const name : {"x", "y", "z"})
-      declare_string(prm,
-                     name,
-                     "0",
-                     "Body force per mass [m/s^2], a muParser expression of "
-                     "t; with particles also of the initial x, y, z.");
-  }
-  {
     const Section section(prm, "Scheme");
-    declare_double(
-      prm,
-      "Courant number",
-      "0.3",
-      0.01,
-      1.,
-      "-",
-      "Step size over the time that signals take to cross a cell.");
     declare_double(
       prm,
       "Largest growth",
@@ -108,67 +88,31 @@ void AleSimulation::declare_parameters(ParameterHandler &prm)
       10.,
       "-",
       used_with("Method = ale", "Largest ratio of successive step sizes."));
-    declare_integer(
-      prm,
-      "Largest number of retries",
-      "10",
-      0,
-      50,
-      "How often a step may be halved when a cell inverts, 0 to 50.");
   }
-  {
-    const Section section(prm, "Output");
-    declare_bool(prm,
-                 "Pictures",
-                 "false",
-                 "Whether a finished run draws history and probes into the "
-                 "folder pictures, and of a head a report.");
-  }
-  const Section section(prm, "Probes");
-  declare_points(
-    prm,
-    "Points",
-    "",
-    "m",
-    selecting("Probe positions; the cell there at the start is recorded."));
+  const Section section(prm, "Output");
+  declare_bool(prm,
+               "Pictures",
+               "false",
+               "Whether a finished run draws history and probes into the "
+               "folder pictures, and of a head a report.");
 }
 
 
 void AleSimulation::parse_parameters(ParameterHandler &prm)
 {
-  mesh_description_.parse_parameters(prm);
-  regions_.parse_parameters(prm);
-  regions_.refuse_metals();
+  impact_.parse_parameters(prm);
+  impact_.regions.refuse_metals();
   rezone_.parse_parameters(prm);
   heat_source_.parse_parameters(prm);
-  planes_.parse_parameters(prm);
   coupling_.parse_parameters(prm);
   reference_.parse_parameters(prm);
   head_.parse_parameters(prm);
-  {
-    const Section section(prm, "Body force");
-    for (unsigned int d = 0; d < 3; ++d)
-    {
-      const std::string name(1, "xyz"[d]);
-      acceleration_[d] = Expression("Body force/" + name, prm.get(name));
-      if (acceleration_[d].depends_on_place())
-        throw InputError("Body force/" + name +
-                         " must not depend on x, y or z");
-    }
-  }
-  {
-    const Section section(prm, "Scheme");
-    courant_ = read_double(prm, "Courant number");
-    growth_ = read_double(prm, "Largest growth");
-    largest_retries_ = read_unsigned(prm, "Largest number of retries");
-  }
-  {
-    const Section section(prm, "Probes");
-    probe_places_ = read_points<3>(prm, "Points");
-  }
-  Reference::check_probes(prm, probe_places_.size());
-  const Section section(prm, "Time");
-  end_time_ = read_double(prm, "End time");
+  for (unsigned int d = 0; d < 3; ++d)
+    if (impact_.acceleration[d].depends_on_place())
+      throw InputError("Body force/" + std::string(1, "xyz"[d]) +
+                       " must not depend on x, y or z");
+  const Section section(prm, "Scheme");
+  growth_ = read_double(prm, "Largest growth");
 }
 
 
@@ -176,33 +120,34 @@ void AleSimulation::build()
 {
   const TimerScope timer("mesh");
   dealii::Triangulation<3> mesh;
-  mesh_description_.create(mesh);
-  regions_.set_regions(mesh, mesh_description_.layers());
+  impact_.mesh.create(mesh);
+  impact_.regions.set_regions(mesh, impact_.mesh.layers());
   std::vector<bool> slides;
-  for (const Region &region : regions_.regions())
+  for (const Region &region : impact_.regions.regions())
     slides.push_back(region.slides);
   space_.reinit(mesh, communicator_, slides);
   n_cells_ = mesh.n_active_cells();
   n_nodes_ = space_.nodes().size();
   lagrange_.reinit(
     space_,
-    regions_.regions(),
-    mesh_description_.walls(),
+    impact_.regions.regions(),
+    impact_.mesh.walls(),
     [this](const double time) {
       dealii::Tensor<1, 3> result;
       for (unsigned int d = 0; d < 3; ++d)
-        result[d] = acceleration_[d].value({}, time);
+        result[d] = impact_.acceleration[d].value({}, time);
       return result;
     },
-    planes_,
+    impact_.planes,
     coupling_);
   state_ = AleState();
-  state_.wedge = mesh_description_.wedge();
+  state_.wedge = impact_.mesh.wedge();
   lagrange_.mirror(state_.wedge);
   state_.position = space_.positions(node_width);
-  regions_.fill(space_, state_);
-  extremes_.reinit(regions_.regions().size(), communicator_);
-  rezone_.reinit(space_, state_, regions_.regions(), mesh_description_.walls());
+  impact_.regions.fill(space_, state_);
+  extremes_.reinit(impact_.regions.regions().size(), communicator_);
+  rezone_.reinit(
+    space_, state_, impact_.regions.regions(), impact_.mesh.walls());
   head_.reinit(space_, lagrange_, state_);
   find_probe_cells();
 }
@@ -217,26 +162,26 @@ void AleSimulation::setup()
   initial_energy_ = totals.internal_energy + totals.kinetic_energy;
   initial_kinetic_energy_ = totals.kinetic_energy;
   energy_scale_ = initial_energy_;
-  if (!planes_.empty())
-    contact_.start(planes_.planes().front(),
+  if (!impact_.planes.empty())
+    contact_.start(impact_.planes.planes().front(),
                    totals.momentum,
                    totals.mass,
-                   mesh_description_.symmetry_planes());
+                   impact_.mesh.symmetry_planes());
 }
 
 
 void AleSimulation::find_probe_cells()
 {
-  probe_cells_.assign(probe_places_.size(), HexSpace::no_cell);
+  probe_cells_.assign(impact_.probes.size(), HexSpace::no_cell);
   std::map<unsigned int, std::size_t> probe_in;
-  for (std::size_t i = 0; i < probe_places_.size(); ++i)
+  for (std::size_t i = 0; i < impact_.probes.size(); ++i)
   {
     double nearest = std::numeric_limits<double>::max();
     std::uint32_t cell = HexSpace::no_cell;
     for (std::uint32_t c = 0; c < space_.n_locally_owned_cells(); ++c)
     {
       const double distance =
-        remoteness(space_.cell(c), state_.position, probe_places_[i]);
+        remoteness(space_.cell(c), state_.position, impact_.probes[i]);
       if (distance < nearest * (1. - 1e-12))
       {
         nearest = distance;
@@ -277,8 +222,11 @@ StepReport AleSimulation::advance(const double largest_step)
   const double begin = state_.time;
   const double first = 0.5 * std::min(largest, last_step_);
   heat(begin, first);
-  const auto made =
-    lagrange_.advance(state_, largest, courant_, largest_retries_, is_as_left_);
+  const auto made = lagrange_.advance(state_,
+                                      largest,
+                                      impact_.courant_number,
+                                      impact_.largest_retries,
+                                      is_as_left_);
   is_as_left_ = true;
   heat(begin + first, made - first);
   if (coupling_.is_loose())
@@ -291,7 +239,7 @@ StepReport AleSimulation::advance(const double largest_step)
   if (made < largest_step || last_step_ == 0. || made > last_step_)
     last_step_ = made;
   reference_.follow(space_, lagrange_, state_, probe_cells_, made);
-  if (!planes_.empty())
+  if (!impact_.planes.empty())
     contact_.add(lagrange_.contact(), state_.time, made);
   head_.follow(space_, lagrange_, state_);
   report.step_size = made;
@@ -310,10 +258,10 @@ bool AleSimulation::adapt()
   if (!is_as_left_)
   {
     // Neither smoothing nor heat changes the pressures of solids.
-    const auto found =
-      region_extremes(space_, lagrange_, state_, regions_.regions(), false);
+    const auto found = region_extremes(
+      space_, lagrange_, state_, impact_.regions.regions(), false);
     for (std::size_t i = 0; i < found.size(); ++i)
-      if (regions_.regions()[i].solid() == nullptr)
+      if (impact_.regions.regions()[i].solid() == nullptr)
         extremes[i] = found[i];
   }
   extremes_.add(std::move(extremes));
@@ -351,7 +299,7 @@ std::vector<NamedValue> AleSimulation::history()
     {"momentum_z", "N s", totals.momentum[2]}};
   for (NamedValue &value : lagrange_.coupling().history())
     values.push_back(std::move(value));
-  if (!planes_.empty())
+  if (!impact_.planes.empty())
   {
     const ContactMeasures contact = lagrange_.contact();
     values.insert(values.end(),
@@ -367,13 +315,12 @@ std::vector<NamedValue> AleSimulation::history()
        {"largest_slip_speed", "m/s", lagrange_.largest_slip_speed(state_)}});
   if (extremes_.is_empty())
     extremes_.add(
-      region_extremes(space_, lagrange_, state_, regions_.regions()));
-  for (NamedValue &measure :
-       region_measures(space_, state_, regions_.regions(), extremes_.take()))
+      region_extremes(space_, lagrange_, state_, impact_.regions.regions()));
+  for (NamedValue &measure : region_measures(
+         space_, state_, impact_.regions.regions(), extremes_.take()))
     values.push_back(std::move(measure));
-  set_to_whole(values,
-               mesh_description_.computed_fraction(),
-               mesh_description_.symmetry_planes());
+  set_to_whole(
+    values, impact_.mesh.computed_fraction(), impact_.mesh.symmetry_planes());
   return values;
 }
 
@@ -414,12 +361,11 @@ std::vector<NamedValue> AleSimulation::errors()
 std::vector<NamedValue> AleSimulation::results()
 {
   std::vector<NamedValue> values;
-  if (!planes_.empty())
+  if (!impact_.planes.empty())
   {
     values = contact_.values(state_.time);
-    set_to_whole(values,
-                 mesh_description_.computed_fraction(),
-                 mesh_description_.symmetry_planes());
+    set_to_whole(
+      values, impact_.mesh.computed_fraction(), impact_.mesh.symmetry_planes());
   }
   const RunEnd end = head_.end_at(state_.time, contact_, extremes_);
   for (const NamedValue &value : head_.coup(communicator_, end))
@@ -441,7 +387,7 @@ std::vector<NamedValue> AleSimulation::checks()
     {"rezones_left_out", "-", static_cast<double>(rezone_.n_skipped())}};
   for (NamedValue &value : lagrange_.coupling().summary(scale))
     values.push_back(std::move(value));
-  for (const MeshDescription::Shell &shell : mesh_description_.shells())
+  for (const MeshDescription::Shell &shell : impact_.mesh.shells())
     values.push_back({"cells_across_" + shell.name, "-", double(shell.cells)});
   return values;
 }
@@ -452,7 +398,7 @@ void AleSimulation::finish(const std::string &folder)
   head_.write(
     folder, communicator_, head_.end_at(state_.time, contact_, extremes_));
   for (const std::string &line : answer_lines(
-         results(), !planes_.empty(), head_.pressures_in_words(true)))
+         results(), !impact_.planes.empty(), head_.pressures_in_words(true)))
     show_line(line);
 }
 

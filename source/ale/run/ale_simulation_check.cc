@@ -30,33 +30,33 @@ namespace
 CostEstimate AleSimulation::estimate()
 {
   CostEstimate cost;
-  cost.cells = mesh_description_.n_cells();
+  cost.cells = impact_.mesh.n_cells();
   cost.memory = typical_memory * cost.cells;
   // The run loop refuses a mesh this large, so do not build it.
   const double available = available_memory(communicator_);
   if (available > 0. && cost.memory > available)
     return cost;
   dealii::Triangulation<3> mesh;
-  mesh_description_.create(mesh);
-  regions_.set_regions(mesh, mesh_description_.layers());
-  if (coupling_.active() && mesh_description_.wedge().active())
+  impact_.mesh.create(mesh);
+  impact_.regions.set_regions(mesh, impact_.mesh.layers());
+  if (coupling_.active() && impact_.mesh.wedge().active())
     throw InputError("Mesh/Wedge axis: the nodal masses of a wedge do not suit "
                      "Coupling/Scheme = " +
                      coupling_.name() + "; use monolithic");
-  coupling_.require_interface(mesh, regions_.regions());
+  coupling_.require_interface(mesh, impact_.regions.regions());
   check_scene(mesh);
   // Nodes of sliding interfaces are double.
-  const auto &regions = regions_.regions();
+  const auto &regions = impact_.regions.regions();
   if (std::none_of(regions.begin(), regions.end(), [](const Region &region) {
         return region.slides;
       }))
     cost.unknowns = 3. * mesh.n_used_vertices() + 2. * cost.cells;
   // Cold gas at rest moves at the speed of a wall.
-  const double speed = regions_.largest_speed(mesh) +
-                       mesh_description_.largest_wall_speed(end_time_);
-  cost.steps =
-    std::ceil(end_time_ * speed / (courant_ * mesh_description_.cell_size()));
-  rezone_.check_interval(end_time_ / cost.steps);
+  const double speed = impact_.regions.largest_speed(mesh) +
+                       impact_.mesh.largest_wall_speed(impact_.end_time);
+  cost.steps = std::ceil(impact_.end_time * speed /
+                         (impact_.courant_number * impact_.mesh.cell_size()));
+  rezone_.check_interval(impact_.end_time / cost.steps);
   head_.check_interval(cost.steps);
   cost.seconds = cost.steps * cost.cells / typical_speed /
                  dealii::Utilities::MPI::n_mpi_processes(communicator_);
@@ -66,13 +66,12 @@ CostEstimate AleSimulation::estimate()
 
 void AleSimulation::check_scene(const dealii::Triangulation<3> &mesh)
 {
-  const std::vector<Region> regions = regions_.regions();
+  const std::vector<Region> regions = impact_.regions.regions();
   rezone_.check_regions(regions);
-  head_.find(regions, planes_.planes());
-  SceneCheck check(
-    mesh_description_, regions_, planes_, acceleration_, end_time_);
-  const auto &walls = mesh_description_.walls();
-  const bool is_wedge = mesh_description_.wedge().active();
+  head_.find(regions, impact_.planes.planes());
+  SceneCheck check(impact_);
+  const auto &walls = impact_.mesh.walls();
+  const bool is_wedge = impact_.mesh.wedge().active();
   std::uint64_t n_free = 0;
   std::vector<std::uint64_t> n_sliding(regions.size(), 0);
   for (const auto &cell : mesh.active_cell_iterators())
@@ -91,7 +90,7 @@ void AleSimulation::check_scene(const dealii::Triangulation<3> &mesh)
       }
       const auto id = face->boundary_id();
       n_free += walls.count(id) == 0 ? 1 : 0;
-      if (!is_on_symmetry_plane(id))
+      if (id < 1 || id > 3 || !impact_.has_symmetry_plane(id - 1))
         continue;
       // The sides of a wedge stand for planes through its axis.
       dealii::Point<3> place = face->center();
@@ -101,7 +100,7 @@ void AleSimulation::check_scene(const dealii::Triangulation<3> &mesh)
     }
   }
   Selections surfaces, interfaces;
-  for (const ContactPlane &plane : planes_.planes())
+  for (const ContactPlane &plane : impact_.planes.planes())
     surfaces.add("Plane " + plane.name + "/Point",
                  coordinates(plane.point),
                  "free surface",
@@ -119,26 +118,16 @@ void AleSimulation::check_scene(const dealii::Triangulation<3> &mesh)
       return region.solid() == nullptr &&
              !std::holds_alternative<Tait>(region.law);
     });
-  check.check_planes(has_gas || regions_.has_pressure() ||
+  check.check_planes(has_gas || impact_.regions.has_pressure() ||
                      heat_source_.is_active() ||
-                     mesh_description_.largest_wall_speed(end_time_) > 0.);
+                     impact_.mesh.largest_wall_speed(impact_.end_time) > 0.);
   check_probes(mesh);
-}
-
-
-bool AleSimulation::is_on_symmetry_plane(
-  const dealii::types::boundary_id id) const
-{
-  const bool has_planes =
-    mesh_description_.file() != nullptr || mesh_description_.has_layers();
-  return has_planes && id >= 1 && id <= 3 &&
-         mesh_description_.symmetry_planes()[id - 1];
 }
 
 
 void AleSimulation::check_probes(const dealii::Triangulation<3> &mesh) const
 {
-  for (const dealii::Point<3> &place : probe_places_)
+  for (const dealii::Point<3> &place : impact_.probes)
   {
     double least = std::numeric_limits<double>::max(), diagonal = 0.;
     for (const auto &cell : mesh.active_cell_iterators())

@@ -11,23 +11,13 @@ namespace contrecoup::ale
 {
 ImpactPlan AleSimulation::impact_plan() const
 {
-  ImpactPlan plan;
-  plan.regions = regions_.regions();
-  plan.planes = planes_.planes();
-  plan.head = estimate_head(mesh_description_, regions_, planes_);
-  plan.end_time = end_time_;
-  plan.thresholds = head_.own_thresholds();
-  plan.has_brain = head_.has_brain();
-  plan.velocity = regions_.fastest_velocity();
-  plan.cell_size = mesh_description_.cell_size();
-  plan.computed_fraction = mesh_description_.computed_fraction();
-  if (const FileMesh *const file = mesh_description_.file())
+  ImpactPlan plan = impact_.plan(head_);
+  plan.cell_size = impact_.mesh.cell_size();
+  if (const FileMesh *const file = impact_.mesh.file())
   {
     plan.n_pieces = file->n_pieces();
     plan.scaled_jacobian = file->smallest_scaled_jacobian();
   }
-  for (const Expression &component : acceleration_)
-    plan.has_body_force = plan.has_body_force || !component.is_zero();
   if (coupling_.active())
     plan.coupling = coupling_.name();
   find_symmetry(plan);
@@ -37,15 +27,7 @@ ImpactPlan AleSimulation::impact_plan() const
 
 void AleSimulation::find_symmetry(ImpactPlan &plan) const
 {
-  plan.cost = plan.least_cost = plan.computed_fraction;
-  std::array<double, 3> motion{};
-  for (unsigned int d = 0; d < 3; ++d)
-  {
-    motion[d] = SceneCheck::motion_along(d, regions_, planes_, acceleration_);
-    if (is_on_symmetry_plane(d + 1))
-      plan.asymmetry = std::max(plan.asymmetry, motion[d]);
-  }
-  const LayeredHead *head = mesh_description_.head();
+  const LayeredHead *head = impact_.mesh.head();
   if (head == nullptr)
     return;
   const double whole = head->n_cells_of_whole();
@@ -55,7 +37,8 @@ void AleSimulation::find_symmetry(ImpactPlan &plan) const
   std::array<bool, 3> would_do{};
   for (unsigned int d = 0; d < 3; ++d)
   {
-    would_do[d] = motion[d] == 0. && !regions_.depends_on_place();
+    would_do[d] =
+      impact_.motion_along(d) == 0. && !impact_.regions.depends_on_place();
     if (!head->is_halved()[d] && would_do[d])
       plan.least_cost *= 0.5;
   }

@@ -51,7 +51,7 @@ struct ImpactPlan
   std::string wedge;             ///< axis of the computed wedge; empty: none
   double least_cost = 1.; ///< cost with all symmetry of the scene used [-]
   std::string least_cost_wedge; ///< axis of a wedge for that cost; empty: none
-  double asymmetry = 0.;        ///< see SceneCheck::motion_along() [-]
+  double asymmetry = 0.;        ///< see ImpactScene::motion_along() [-]
   /// Number of pieces of a mesh file; 0: other mesh.
   unsigned int n_pieces = 0;
   double scaled_jacobian = 1.; ///< the smallest

@@ -3,11 +3,8 @@
 
 #pragma once
 
-#include <contrecoup/ale/lagrange/contact_planes.h>
-#include <contrecoup/ale/mesh/mesh_description.h>
-#include <contrecoup/ale/mesh/region_descriptions.h>
+#include <contrecoup/ale/head/impact_scene.h>
 
-#include <array>
 #include <limits>
 #include <optional>
 #include <string>
@@ -24,22 +21,8 @@ namespace contrecoup::ale
 class SceneCheck
 {
 public:
-  /// Body force per mass along x, y and z [m/s^2].
-  using Acceleration = std::array<Expression, 3>;
-
-  /// Motion along an axis, relative to all motion: of matter, by the normals
-  /// of planes, or 1 for a body force [-].
-  static double motion_along(const unsigned int axis,
-                             const RegionDescriptions &regions,
-                             const ContactPlanes &planes,
-                             const Acceleration &acceleration);
-
-  /// The arguments must outlive this.
-  SceneCheck(const MeshDescription &mesh,
-             const RegionDescriptions &regions,
-             const ContactPlanes &planes,
-             const Acceleration &acceleration,
-             const double end_time);
+  /// @param scene must outlive this
+  explicit SceneCheck(const ImpactScene &scene);
 
   /// Adds a position of matter of a region.
   void add_matter(const dealii::Point<3> &place, const unsigned int region);
@@ -69,15 +52,10 @@ private:
   /// nearer by the gap [s]; nothing until the end time.
   std::optional<double> time_of_contact(const Approach &approach,
                                         const ContactPlane &plane) const;
-  bool has_body_force() const;
   /// Warns of regions of a head that do not have one velocity.
   void warn_of_velocities() const;
 
-  const MeshDescription &mesh_;
-  const RegionDescriptions &regions_;
-  const ContactPlanes &planes_;
-  const Acceleration &acceleration_;
-  double end_time_;
+  const ImpactScene &scene_;
   std::vector<dealii::Tensor<1, 3>> velocities_; ///< by region; empty: vary
   std::vector<Approach> approaches_;             ///< by plane
 };

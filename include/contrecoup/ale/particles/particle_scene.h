@@ -3,9 +3,7 @@
 
 #pragma once
 
-#include <contrecoup/ale/lagrange/contact_planes.h>
-#include <contrecoup/ale/mesh/mesh_description.h>
-#include <contrecoup/ale/mesh/region_descriptions.h>
+#include <contrecoup/ale/head/impact_scene.h>
 #include <contrecoup/mpm/field_contact.h>
 #include <contrecoup/mpm/seeding.h>
 #include <contrecoup/mpm/transfer_scheme.h>
@@ -43,10 +41,7 @@ public:
   void parse_parameters(dealii::ParameterHandler &prm);
 
   /// @throws InputError for features that particles do not support
-  void reinit(const MeshDescription &mesh,
-              const RegionDescriptions &regions,
-              const ContactPlanes &planes,
-              const double end_time);
+  void reinit(const ImpactScene &impact);
 
   const mpm::GridBox &box() const
   {

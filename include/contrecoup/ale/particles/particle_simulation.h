@@ -3,13 +3,12 @@
 
 #pragma once
 
-#include <contrecoup/ale/head/impact_plan.h>
+#include <contrecoup/ale/head/impact_scene.h>
 #include <contrecoup/ale/lagrange/contact_record.h>
 #include <contrecoup/ale/lagrange/region_extremes.h>
 #include <contrecoup/ale/particles/particle_head.h>
 #include <contrecoup/ale/particles/particle_reference.h>
 #include <contrecoup/ale/particles/particle_scene.h>
-#include <contrecoup/base/parameters/expression.h>
 #include <contrecoup/base/run/simulation.h>
 #include <contrecoup/mpm/particle_step.h>
 
@@ -82,7 +81,6 @@ private:
   /// Compares the entries with one another and with the matter.
   /// @throws InputError for those that contradict others or select nothing
   void check_scene();
-  bool is_on_symmetry_plane(const unsigned int axis) const;
   void build_grid();
   /// Sets column::force to the body force at the initial positions.
   void set_body_force(mpm::ParticleBlock &block) const;
@@ -99,17 +97,10 @@ private:
   void restore_file(const std::string &file);
 
   MPI_Comm communicator_;
-  MeshDescription mesh_;
-  RegionDescriptions regions_;
-  ContactPlanes planes_;
+  ImpactScene impact_;
   ParticleScene scene_;
   ParticleReference reference_;
   ParticleHead head_;
-  std::array<Expression, 3> acceleration_{{{"", "0"}, {"", "0"}, {"", "0"}}};
-  std::vector<dealii::Point<3>> probe_places_;
-  double courant_ = 0.3;
-  unsigned int largest_retries_ = 10;
-  double end_time_ = 0.;
 
   mpm::TileGrid grid_;
   mpm::Particles particles_;

@@ -5,12 +5,10 @@
 
 #include <contrecoup/ale/exact/reference.h>
 #include <contrecoup/ale/head/head_measures.h>
-#include <contrecoup/ale/head/impact_plan.h>
+#include <contrecoup/ale/head/impact_scene.h>
 #include <contrecoup/ale/lagrange/contact_record.h>
 #include <contrecoup/ale/lagrange/heat_source.h>
 #include <contrecoup/ale/lagrange/lagrange_step.h>
-#include <contrecoup/ale/mesh/mesh_description.h>
-#include <contrecoup/ale/mesh/region_descriptions.h>
 #include <contrecoup/ale/rezone/rezone.h>
 #include <contrecoup/base/run/simulation.h>
 
@@ -72,14 +70,13 @@ private:
   /// Compares the entries with one another and with the mesh.
   /// @throws InputError for those that contradict others or select nothing
   void check_scene(const dealii::Triangulation<3> &mesh);
-  bool is_on_symmetry_plane(const dealii::types::boundary_id id) const;
   /// @throws InputError for a probe outside the mesh
   void check_probes(const dealii::Triangulation<3> &mesh) const;
   void find_probe_cells();
   EnergyLedger ledger() const;
   void heat(const double begin, const double duration);
   ImpactPlan impact_plan() const;
-  /// Finds motion across symmetry planes, and further usable symmetry.
+  /// Finds further usable symmetry.
   void find_symmetry(ImpactPlan &plan) const;
   void restore_peaks(std::istream &in,
                      const std::string &file,
@@ -91,21 +88,14 @@ private:
                 const std::unordered_map<std::uint32_t, std::size_t> &cells);
 
   MPI_Comm communicator_;
-  MeshDescription mesh_description_;
-  RegionDescriptions regions_;
+  ImpactScene impact_;
   Rezone rezone_;
   HeatSource heat_source_;
-  ContactPlanes planes_;
   InterfaceCoupling coupling_; ///< as in the parameter file
   ContactRecord contact_;
   Reference reference_;
   HeadMeasures head_;
-  std::array<Expression, 3> acceleration_{{{"", "0"}, {"", "0"}, {"", "0"}}};
-  std::vector<dealii::Point<3>> probe_places_;
-  double courant_ = 0.3;
   double growth_ = 1.2;
-  unsigned int largest_retries_ = 10;
-  double end_time_ = 0.;
 
   HexSpace space_;
   LagrangeStep lagrange_;
