@@ -47,7 +47,6 @@ void expect_relaxation(const double relaxation_time)
   Region region;
   region.law = material;
   region.kinematics = SolidKinematics::small_strain;
-  region.hourglass_stiffness = 0.;
   SolidBar cube({2, 1, 1},
                 2.,
                 {region, {0, 1, 2, 3, 4, 5}, {}, {}},

@@ -95,7 +95,7 @@ namespace
     model.linear_viscosity = region.viscosity.linear;
     model.quadratic_viscosity = region.viscosity.quadratic;
     model.hourglass_spring =
-      region.hourglass_stiffness * hourglass_spring *
+      hourglass_spring *
       std::max(shear, least_hourglass * material.bulk_modulus);
     if (material.bulk_modulus > nearly_incompressible * shear)
       model.hourglass_damper =

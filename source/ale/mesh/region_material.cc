@@ -234,14 +234,6 @@ namespace
                    "exceeds 100 G. Its damping of shear grows with K / G: "
                    "at 1e6, half a period of a wave of twelve cells loses a "
                    "quarter of its amplitude, without it nothing.");
-    declare_double(prm,
-                   "Hourglass stiffness",
-                   "1",
-                   0.,
-                   10.,
-                   "-",
-                   "Hourglass stiffness of solids; 1 gives a cube the "
-                   "energy of its shear.");
   }
 
   /// The entry Density as a number.
@@ -421,7 +413,6 @@ Region parse_region_material(ParameterHandler &prm, const std::string &name)
                       read_double(prm, "Quadratic viscosity"),
                       read_double(prm, "Hourglass coefficient")};
   region.kinematics = find_solid_kinematics(prm.get("Kinematics"));
-  region.hourglass_stiffness = read_double(prm, "Hourglass stiffness");
   region.slides = prm.get("Interface") == "slip";
   if (region.slides && region.solid() != nullptr)
     throw InputError("Region " + name +

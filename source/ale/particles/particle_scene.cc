@@ -91,33 +91,6 @@ namespace
                 "resolve."));
   }
 
-  void declare_resampling(ParameterHandler &prm)
-  {
-    declare_double(prm,
-                   "Split stretch",
-                   "2",
-                   1.1,
-                   1e6,
-                   "-",
-                   "A particle of a solid is split when its stretch along a "
-                   "principal direction exceeds this value.");
-    declare_integer(prm,
-                    "Merge above",
-                    "64",
-                    4,
-                    1000000,
-                    "Largest number of particles per region and cell, 4 to "
-                    "1000000, at least three times the initial number; "
-                    "above it four become two.");
-    declare_integer(
-      prm,
-      "Resample every steps",
-      "20",
-      0,
-      1000000,
-      "Steps between splitting and merging of particles; 0: never.");
-  }
-
   void declare_fields(ParameterHandler &prm)
   {
     declare_selection(prm,
@@ -159,7 +132,6 @@ void ParticleScene::declare_parameters(ParameterHandler &prm)
   const UsedWith used("Method = mpm");
   declare_grid(prm);
   declare_scheme(prm);
-  declare_resampling(prm);
   declare_fields(prm);
 }
 
@@ -175,16 +147,14 @@ void ParticleScene::parse_parameters(ParameterHandler &prm)
   scheme_.damping_time = read_double(prm, "Damping time");
   smoothing_ = prm.get("Smoothing");
   fields_ = prm.get("Fields");
-  resampling_.stretch = read_double(prm, "Split stretch");
-  resampling_.interval = read_unsigned(prm, "Resample every steps");
   friction_ = read_double(prm, "Friction");
   const auto numbers = read_list(prm, "Particles a cell");
   for (unsigned int d = 0; d < 3; ++d)
     source_.per_cell[d] = static_cast<unsigned int>(numbers[d]);
   // At least three times the initial number, so as not to merge at the start.
-  resampling_.max_per_cell =
-    std::max<double>(read_unsigned(prm, "Merge above"),
-                     3. * numbers[0] * numbers[1] * numbers[2]);
+  constexpr double usually = 64.;
+  largest_per_cell_ = static_cast<unsigned int>(
+    std::max(usually, 3. * numbers[0] * numbers[1] * numbers[2]));
   if (scheme_.transfer == mpm::Transfer::affine && scheme_.degree == 1)
     throw InputError(
       "MPM/Transfer = apic needs MPM/Basis = quadratic or cubic");

@@ -211,16 +211,17 @@ void ParticleSimulation::record_contact(const double step)
 
 bool ParticleSimulation::adapt()
 {
-  const Resampling &how = scene_.resampling();
-  if (how.interval == 0 || ++n_steps_ % how.interval != 0)
+  constexpr unsigned int interval = 20; // steps
+  constexpr double stretch = 2.;
+  if (++n_steps_ % interval != 0)
     return false;
   const TimerScope timer("split and merge");
   std::vector<std::uint64_t> counts(2, 0);
   particles_.for_each_block(
     [&](const unsigned int m, mpm::ParticleBlock &block) {
       if (scene_.materials()[m].solid() != nullptr)
-        counts[0] += mpm::split_stretched(how.stretch, block);
-      counts[1] += mpm::merge_crowded(how.max_per_cell, grid_, block);
+        counts[0] += mpm::split_stretched(stretch, block);
+      counts[1] += mpm::merge_crowded(scene_.largest_per_cell(), grid_, block);
     });
   mpi::sum(counts, communicator_, counts);
   if (counts[0] + counts[1] == 0)

@@ -7,7 +7,6 @@
 #include <contrecoup/ale/run/ale_output.h>
 #include <contrecoup/ale/run/ale_simulation.h>
 #include <contrecoup/base/parameters/parameters.h>
-#include <contrecoup/base/parameters/used_with.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/log.h>
 #include <contrecoup/base/system/timers.h>
@@ -21,6 +20,8 @@ namespace contrecoup::ale
 {
 namespace
 {
+  constexpr double largest_growth = 1.2; ///< of a step
+
   /// Distance of a place from the centre of the cell that it is in [m]; of
   /// other cells more than any distance, the more the farther outside it is, in
   /// lengths of the cell.
@@ -78,17 +79,6 @@ void AleSimulation::declare_parameters(ParameterHandler &prm)
   InterfaceCoupling::declare_parameters(prm);
   Reference::declare_parameters(prm);
   HeadMeasures::declare_parameters(prm);
-  {
-    const Section section(prm, "Scheme");
-    declare_double(
-      prm,
-      "Largest growth",
-      "1.2",
-      1.001,
-      10.,
-      "-",
-      used_with("Method = ale", "Largest ratio of successive step sizes."));
-  }
   const Section section(prm, "Output");
   declare_bool(prm,
                "Pictures",
@@ -111,8 +101,6 @@ void AleSimulation::parse_parameters(ParameterHandler &prm)
     if (impact_.acceleration[d].depends_on_place())
       throw InputError("Body force/" + std::string(1, "xyz"[d]) +
                        " must not depend on x, y or z");
-  const Section section(prm, "Scheme");
-  growth_ = read_double(prm, "Largest growth");
 }
 
 
@@ -217,7 +205,7 @@ StepReport AleSimulation::advance(const double largest_step)
   StepReport report;
   double largest = largest_step;
   if (last_step_ > 0.)
-    largest = std::min(largest, growth_ * last_step_);
+    largest = std::min(largest, largest_growth * last_step_);
   // Half of the heat before and half after the step: second order.
   const double begin = state_.time;
   const double first = 0.5 * std::min(largest, last_step_);

@@ -17,8 +17,10 @@ namespace contrecoup::gas
 {
 namespace
 {
-  /// Reference pressure of Miller's law, 1 Mbar [Pa].
-  constexpr double reference_pressure = 1e11;
+  /// Reference pressure of Miller's law, 1 Mbar [Pa], and its exponents of the
+  /// remaining fuel and of the pressure.
+  constexpr double reference_pressure = 1e11, fuel_exponent = 0.5,
+                   pressure_exponent = 1. / 6.;
 
   /// Calls @p function(pointer to the conserved quantities, stride between
   /// components, volume) for each point that holds products.
@@ -97,20 +99,6 @@ namespace
                    "1/s",
                    "Rate a of fresh products at 1 Mbar; 6500 is the "
                    "value 0.0065 per microsecond of the literature.");
-    declare_double(prm,
-                   "Fuel exponent",
-                   "0.5",
-                   0.,
-                   10.,
-                   "-",
-                   "Exponent m of the remaining fuel fraction.");
-    declare_double(prm,
-                   "Pressure exponent",
-                   "0.16666666666666666",
-                   0.,
-                   10.,
-                   "-",
-                   "Exponent n of the pressure in Mbar.");
   }
 } // namespace
 
@@ -168,8 +156,6 @@ void Afterburn::parse_parameters(ParameterHandler &prm)
   start_ = read_double(prm, "Start time");
   end_ = read_double(prm, "End time");
   rate_ = read_double(prm, "Rate");
-  fuel_exponent_ = read_double(prm, "Fuel exponent");
-  pressure_exponent_ = read_double(prm, "Pressure exponent");
   if (kind_ == Kind::constant && !(start_ < end_))
     throw InputError("Charges/Afterburn/End time must be after Start time");
 }
@@ -185,13 +171,11 @@ double Afterburn::grown_fraction(const double time,
   // linearly to zero.
   const double growth =
     step * rate_ *
-    std::pow(std::max(pressure, 0.) / reference_pressure, pressure_exponent_);
-  const double power = 1. - fuel_exponent_;
+    std::pow(std::max(pressure, 0.) / reference_pressure, pressure_exponent);
+  constexpr double power = 1. - fuel_exponent;
   const double fuel = 1. - fraction_;
   if (fuel <= 0.)
     return 1.;
-  if (std::abs(power) < 1e-12)
-    return 1. - fuel * std::exp(-growth);
   const double left = std::pow(fuel, power) - power * growth;
   return left <= 0. ? 1. : 1. - std::pow(left, 1. / power);
 }

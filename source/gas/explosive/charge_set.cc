@@ -69,14 +69,6 @@ void ChargeSet<dim>::declare_parameters(ParameterHandler &prm)
                  "m/s",
                  "Speed of the detonation front in the explosive; 0: the "
                  "Chapman-Jouguet speed of the explosive's constants.");
-  declare_double(prm,
-                 "Burn width",
-                 "2",
-                 0.1,
-                 100.,
-                 "-",
-                 "Thickness of the burn front in subcells; a wider front is "
-                 "smoother and reaches the Chapman-Jouguet pressure later.");
   Afterburn::declare_parameters(prm);
   const Section charge(prm, "Charge *");
   Charge<dim>::declare_parameters(prm);
@@ -110,7 +102,6 @@ void ChargeSet<dim>::parse_parameters(ParameterHandler &prm,
   if (speed_ == 0.)
     speed_ = front.detonation_speed;
   stiffness_ = 1. / (1. - density_ / front.density);
-  burn_width_ = read_double(prm, "Burn width");
   for (const std::string &name : names_)
   {
     const Section charge(prm, "Charge " + name);

@@ -59,7 +59,7 @@ void Detonation<dim>::set_leaf(const unsigned int leaf,
   double size = 0.;
   for (unsigned int d = 0; d < dim; ++d)
     size = std::max(size, box.extents[d] / points.n());
-  const double width = charges.burn_width() * size;
+  const double width = charges.burn_width * size;
   rate_[leaf] = charges.speed() / width;
 
   const double diameter = box.extents.norm() / points.n();

@@ -417,8 +417,7 @@ void GalerkinLeaves<dim, Gas, Real>::store_sensors(
     value *= scale;
   Number sensor(0.), rate(0.);
   if (scheme_.blending)
-    sensor = std::min(indicator_.blending_factor(signal_),
-                      Number(scheme_.largest_blending));
+    sensor = indicator_.blending_factor(signal_);
   if (stage.results.signal_rate != nullptr)
     rate = largest_signal_rate();
   for (unsigned int lane = 0; lane < batch_->n_filled; ++lane)

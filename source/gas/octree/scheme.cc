@@ -45,16 +45,6 @@ namespace
                  "wherever there are shocks.");
     declare_double(
       prm,
-      "Largest blending",
-      "1",
-      0.,
-      1.,
-      "-",
-      used_with("Method/Blending = true",
-                "Discontinuous Galerkin: upper bound of the weight of the "
-                "finite-volume scheme in a troubled leaf."));
-    declare_double(
-      prm,
       "Indicator threshold",
       "1",
       1e-6,
@@ -192,7 +182,6 @@ void Scheme::parse_parameters(ParameterHandler &prm, const unsigned int dim)
                                                : Precision::double_precision;
   cfl = read_double(prm, "CFL number");
   blending = prm.get_bool("Blending");
-  largest_blending = read_double(prm, "Largest blending");
   indicator_threshold = read_double(prm, "Indicator threshold");
   positivity = prm.get_bool("Positivity");
   largest_retries = read_unsigned(prm, "Largest number of retries");

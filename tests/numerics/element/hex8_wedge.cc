@@ -107,12 +107,11 @@ TEST(Hex8Wedge, has_the_gradients_of_a_body_of_revolution)
   EXPECT_NEAR(h[0][0], 0., 1e-15);
   // Radial displacement over the radius, averaged by the volume.
   const auto moments = hex_moments(corners);
-  double area = 0., height = 0.;
+  double height = 0.;
   for (unsigned int i = 0; i < 4; ++i)
   {
     const auto &a = skewed[i], &b = skewed[(i + 1) % 4];
     const double part = 0.5 * (a[0] * b[1] - b[0] * a[1]);
-    area += part;
     height += part * (a[1] + b[1]) / 3.;
   }
   EXPECT_NEAR(h[1][1], 0.2 * height * 2. * 0.3 / moments.volume, 1e-14);

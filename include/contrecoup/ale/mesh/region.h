@@ -29,7 +29,6 @@ struct Region
   /// Kinematics of solids, and hourglass stiffness relative to the value that
   /// gives a cube the energy of its shear [-].
   SolidKinematics kinematics = SolidKinematics::finite_rotation;
-  double hourglass_stiffness = 1.;
   /// Plasticity of metals, solids that yield: particles only.
   std::optional<JohnsonCook> plasticity;
   /// Whether the region slides along others; fluids only.

@@ -19,14 +19,6 @@
 
 namespace contrecoup::ale
 {
-/// Criteria for splitting and merging particles.
-struct Resampling
-{
-  double stretch = 2.;            ///< stretch at which a particle splits [-]
-  unsigned int max_per_cell = 64; ///< largest number per region and cell
-  unsigned int interval = 20;     ///< steps between resamplings; 0: never
-};
-
 /**
  * A scene for the material point method: mesh description, regions and planes
  * of a moving mesh, filled with particles, and the entries of subsection
@@ -64,9 +56,11 @@ public:
   {
     return walls_;
   }
-  const Resampling &resampling() const
+  /// Largest number of particles of a material in a cell, beyond which they are
+  /// merged.
+  unsigned int largest_per_cell() const
   {
-    return resampling_;
+    return largest_per_cell_;
   }
 
   /// Contact between the velocity fields of the materials.
@@ -125,7 +119,7 @@ private:
   std::string smoothing_;
   std::string fields_;
   double friction_ = 0.;
-  Resampling resampling_;
+  unsigned int largest_per_cell_ = 0;
   mpm::GridBox box_;
   std::vector<mpm::ParticleMaterial> materials_;
   mpm::ParticleSource source_;

@@ -95,7 +95,6 @@ private:
   ContactRecord contact_;
   Reference reference_;
   HeadMeasures head_;
-  double growth_ = 1.2;
 
   HexSpace space_;
   LagrangeStep lagrange_;

@@ -107,8 +107,6 @@ private:
   double start_ = 0.;  ///< of the constant rate [s]
   double end_ = 0.;    ///< of the constant rate [s]
   double rate_ = 0.;   ///< a [1/s]
-  double fuel_exponent_ = 0.;
-  double pressure_exponent_ = 0.;
 
   double fraction_ = 0.;
   double released_ = 0.;

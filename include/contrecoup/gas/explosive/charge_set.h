@@ -63,11 +63,9 @@ public:
     return stiffness_;
   }
 
-  /// Thickness of the burn front in subcells [-].
-  double burn_width() const
-  {
-    return burn_width_;
-  }
+  /// Thickness of the burn front in subcells [-]: a wider front is smoother and
+  /// reaches the Chapman-Jouguet pressure later.
+  static constexpr double burn_width = 2.;
 
   /// Ambient pressure around the charges [Pa], computed from the ambient
   /// energy by the equation of state.
@@ -110,7 +108,6 @@ private:
   double energy_density_ = 0.; ///< energy density of the explosive [J/m^3]
   double speed_ = 0.;
   double stiffness_ = 0.;
-  double burn_width_ = 2.;
   double ambient_pressure_ = 0.;
   GasMaterial material_;
 };

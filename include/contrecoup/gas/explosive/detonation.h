@@ -21,7 +21,7 @@ namespace contrecoup::gas
  *
  *   F(x, t) = min(1, max(0, D (t - t_b(x)) / (w h))),
  *
- * w being ChargeSet::burn_width(). Burning begins when the front is still
+ * w being ChargeSet::burn_width. Burning begins when the front is still
  * w h / 2 away, t_b = min over i of t_i + max(0, |x - x_i| - w h / 2)
  * / D, so that the captured front, which is w h wide, arrives on time. The
  * explosive ahead of the front is at rest; F is therefore a function of

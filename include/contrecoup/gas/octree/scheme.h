@@ -47,8 +47,7 @@ public:
   double cfl = 0.4; ///< CFL number [-]
   /// Polynomial degree of leaves on curved manifolds (DG).
   unsigned int cell_degree = 1;
-  bool blending = true;         ///< subcell shock capturing (DG)
-  double largest_blending = 1.; ///< [-]
+  bool blending = true; ///< subcell shock capturing (DG)
   /// Factor on the default threshold (DG) [-]
   double indicator_threshold = 1.;
   /// Positivity limiter: scaling towards the mean (DG).
