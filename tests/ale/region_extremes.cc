@@ -2,12 +2,12 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/ale/lagrange/region_measures.h>
+#include <contrecoup/io/file/temporary_folder.h>
 
 #include "solid_bar.h"
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <sstream>
 
 using namespace contrecoup;
 
@@ -96,13 +96,13 @@ TEST(ExtremeRecord, HasAllStepsSinceTheRowBefore)
   record.add({{-3. - rank, 5. + rank, 0.1, 2., 1.}});
   record.add({{-1., 7., 0.2, 1., 0.5}});
   // A checkpoint between rows.
-  std::stringstream saved;
-  record.save(saved);
-  const std::string content = saved.str();
+  const io::TemporaryFolder folder;
+  const std::string file = folder.path() + "/extremes.bin";
+  io::save_state(file, [&](io::StateWriter &out) { record.save(out); });
   ExtremeRecord resumed;
   resumed.reinit(1, MPI_COMM_WORLD);
-  std::istringstream in(content);
-  resumed.restore(in, "extremes");
+  io::StateReader in(file);
+  resumed.restore(in);
   for (ExtremeRecord *one : {&record, &resumed})
   {
     one->add({{0., 6., 0.15, 0., 0.75}});

@@ -6,15 +6,13 @@
 #include <contrecoup/base/parameters/selecting.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
-#include <contrecoup/io/file/binary_records.h>
 #include <contrecoup/io/file/checked_file.h>
+#include <contrecoup/io/file/state_file.h>
 #include <contrecoup/solid/body/tissue_measures.h>
 
 #include <boost/algorithm/string/predicate.hpp>
 
 #include <algorithm>
-#include <filesystem>
-#include <sstream>
 
 namespace contrecoup::ale
 {
@@ -23,11 +21,6 @@ namespace
   namespace mpi = dealii::Utilities::MPI;
 
   const std::string brain_entry = "Brain", skull_entry = "Skull";
-
-  std::string file_of(const std::string &folder, const unsigned int rank)
-  {
-    return folder + "/injury." + std::to_string(rank) + ".bin";
-  }
 
   /// Number of the region with this name, else of the one whose layer has it;
   /// the number of regions if there is none.
@@ -286,13 +279,10 @@ void HeadRecord::save(const std::string &folder,
 {
   if (!active())
     return;
-  io::write_file(file_of(folder, mpi::this_mpi_process(communicator)),
-                 [&](std::ostream &out) {
-                   record_.save(out);
-                   io::put_list(
-                     out,
-                     std::vector<Extreme>(extremes_.begin(), extremes_.end()));
-                 });
+  io::save_part(folder, "injury", communicator, [&](io::StateWriter &out) {
+    record_.save(out);
+    out.put(extremes_);
+  });
 }
 
 
@@ -300,20 +290,14 @@ void HeadRecord::restore(const std::string &folder, const MPI_Comm communicator)
 {
   if (!active())
     return;
-  unsigned int rank = 0;
-  do
-  {
-    const std::string file = file_of(folder, rank);
-    std::istringstream in(io::read_file(file));
-    record_.restore(in, file, rank, communicator);
-    std::vector<Extreme> extremes;
-    io::take_list(in, file, extremes);
-    if (extremes.size() != extremes_.size())
-      throw InputError("Checkpoint file " + file + " belongs to another scene");
+  io::restore_parts(folder, "injury", [&](io::StateReader &in) {
+    record_.restore(in, communicator);
+    auto extremes = extremes_;
+    in.take(extremes);
     // Each rank keeps the extremes of all.
-    for (unsigned int i = 0; i < 2; ++i)
+    for (unsigned int i = 0; i < extremes.size(); ++i)
       if (std::abs(extremes[i].pressure) > std::abs(extremes_[i].pressure))
         extremes_[i] = extremes[i];
-  } while (std::filesystem::exists(file_of(folder, ++rank)));
+  });
 }
 } // namespace contrecoup::ale

@@ -3,14 +3,7 @@
 
 #include <contrecoup/ale/lagrange/interface_coupling.h>
 #include <contrecoup/base/system/exceptions.h>
-#include <contrecoup/io/file/binary_records.h>
-#include <contrecoup/io/file/checked_file.h>
-
-#include <deal.II/base/mpi.h>
-
-#include <filesystem>
-#include <fstream>
-#include <unordered_map>
+#include <contrecoup/io/file/state_file.h>
 
 namespace contrecoup::ale
 {
@@ -18,17 +11,9 @@ namespace
 {
   struct NodeRecord
   {
-    std::uint32_t node;
+    std::uint32_t number;
     std::array<double, 3> acceleration;
   };
-
-  using io::read_binary;
-  using io::write_binary;
-
-  std::string file_of(const std::string &folder, const unsigned int rank)
-  {
-    return folder + "/coupling." + std::to_string(rank) + ".bin";
-  }
 } // namespace
 
 
@@ -37,17 +22,15 @@ void InterfaceCoupling::save(const std::string &folder) const
   if (!active())
     return;
   const CouplingRecord all = record();
-  const unsigned int rank =
-    dealii::Utilities::MPI::this_mpi_process(space_->communicator());
-  io::write_file(file_of(folder, rank), [&](std::ostream &out) {
-    write_binary(out, all);
-    write_binary(out, static_cast<std::uint64_t>(nodes_.size()));
-    for (const Node &node : nodes_)
-      write_binary(
-        out,
-        NodeRecord{space_->node_number(node.node),
-                   {{node.before[0], node.before[1], node.before[2]}}});
-  });
+  io::save_part(
+    folder, "coupling", space_->communicator(), [&](io::StateWriter &out) {
+      out.put(all);
+      out.put_records(nodes_.size(), [&](const std::size_t i) {
+        const Node &node = nodes_[i];
+        return NodeRecord{space_->node_number(node.node),
+                          {{node.before[0], node.before[1], node.before[2]}}};
+      });
+    });
 }
 
 
@@ -55,35 +38,23 @@ void InterfaceCoupling::restore(const std::string &folder)
 {
   if (!active())
     return;
-  std::unordered_map<std::uint32_t, Node *> here;
-  for (Node &node : nodes_)
-    here[space_->node_number(node.node)] = &node;
+  const io::NumberIndex here =
+    io::index_by_number(nodes_.size(), [&](const std::size_t i) {
+      return space_->node_number(nodes_[i].node);
+    });
   std::size_t n_found = 0;
-  unsigned int rank = 0;
-  do
-  {
-    const std::string file = file_of(folder, rank);
-    std::ifstream in(file, std::ios::binary);
-    std::uint64_t n_nodes = 0;
-    read_binary(in, record_);
-    read_binary(in, n_nodes);
-    for (std::uint64_t i = 0; i < n_nodes && in; ++i)
-    {
-      NodeRecord record{};
-      read_binary(in, record);
-      const auto found = here.find(record.node);
-      if (!in || found == here.end())
-        continue;
-      for (unsigned int d = 0; d < 3; ++d)
-        found->second->before[d] = record.acceleration[d];
-      ++n_found;
-    }
-    if (!in)
-      throw InputError("Checkpoint file " + file + " ends too early");
-  } while (std::filesystem::exists(file_of(folder, ++rank)));
+  io::restore_parts(folder, "coupling", [&](io::StateReader &in) {
+    in.take(record_);
+    in.take_records<NodeRecord>(
+      here, [&](const std::size_t i, const NodeRecord &record) {
+        for (unsigned int d = 0; d < 3; ++d)
+          nodes_[i].before[d] = record.acceleration[d];
+        ++n_found;
+      });
+  });
   if (n_found != nodes_.size())
-    throw InputError("Checkpoint file " + file_of(folder, 0) +
-                     " belongs to another scene");
+    throw InputError("Checkpoint " + folder +
+                     ": its coupling belongs to another scene");
   // The first rank continues the sum; on one rank, bitwise.
   if (dealii::Utilities::MPI::this_mpi_process(space_->communicator()) != 0)
     record_.work = 0.;

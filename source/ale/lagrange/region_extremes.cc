@@ -3,7 +3,6 @@
 
 #include <contrecoup/ale/lagrange/region_extremes.h>
 #include <contrecoup/base/system/exceptions.h>
-#include <contrecoup/io/file/binary_records.h>
 
 namespace contrecoup::ale
 {
@@ -62,25 +61,25 @@ std::vector<RegionExtremes> ExtremeRecord::take()
 }
 
 
-void ExtremeRecord::save(std::ostream &out) const
+void ExtremeRecord::save(io::StateWriter &out) const
 {
-  io::write_binary(out, is_empty_);
-  io::put_list(out, extremes_);
-  io::put_list(out, least_pressures_);
+  out.put(is_empty_);
+  out.put_list(extremes_);
+  out.put_list(least_pressures_);
 }
 
 
-void ExtremeRecord::restore(std::istream &in, const std::string &file)
+void ExtremeRecord::restore(io::StateReader &in)
 {
   bool is_empty = true;
   std::vector<RegionExtremes> extremes;
   std::vector<double> least_pressures;
-  io::read_binary(in, is_empty);
-  io::take_list(in, file, extremes);
-  io::take_list(in, file, least_pressures);
+  in.take(is_empty);
+  in.take_list(extremes);
+  in.take_list(least_pressures);
   if (extremes.size() != extremes_.size() ||
       least_pressures.size() != extremes_.size())
-    throw InputError("Checkpoint file " + file + " belongs to another scene");
+    in.refuse();
   is_empty_ = is_empty;
   least_pressures_ = least_pressures;
   for (std::size_t i = 0; i < extremes.size(); ++i)

@@ -3,14 +3,11 @@
 
 #include <contrecoup/ale/particles/particle_simulation.h>
 #include <contrecoup/base/system/exceptions.h>
-#include <contrecoup/io/file/binary_records.h>
-#include <contrecoup/io/file/checked_file.h>
+#include <contrecoup/io/file/state_file.h>
 
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <sstream>
 
 namespace contrecoup::ale
 {
@@ -42,18 +39,12 @@ namespace
     std::uint64_t tile;
     std::uint64_t material;
   };
-
-  std::string file_of(const std::string &folder, const unsigned int rank)
-  {
-    return folder + "/mpm." + std::to_string(rank) + ".bin";
-  }
 } // namespace
 
 
 void ParticleSimulation::save(const std::string &folder)
 {
-  const unsigned int rank = mpi::this_mpi_process(communicator_);
-  io::write_file(file_of(folder, rank), [&](std::ostream &out) {
+  io::save_part(folder, "mpm", communicator_, [&](io::StateWriter &out) {
     CheckpointHeader header{n_particles_,
                             scene_.materials().size(),
                             0,
@@ -71,37 +62,36 @@ void ParticleSimulation::save(const std::string &folder)
                             reference_.record()};
     particles_.for_each_block(
       [&](unsigned int, const mpm::ParticleBlock &) { ++header.n_blocks; });
-    io::write_binary(out, header);
+    out.put(header);
     extremes_.save(out);
-    io::put_list(out, reference_.peaks());
+    out.put_list(reference_.peaks());
     for (const auto &[tile, blocks] : particles_.tiles())
       for (unsigned int m = 0; m < blocks.size(); ++m)
       {
         if (blocks[m].size() == 0)
           continue;
-        io::write_binary(out, BlockHead{tile, m});
+        out.put(BlockHead{tile, m});
         std::vector<double> states(mpm::column::n_state_columns *
                                    blocks[m].size());
         for (std::size_t p = 0; p < blocks[m].size(); ++p)
           blocks[m].copy_state(p, &states[mpm::column::n_state_columns * p]);
-        io::put_list(out, states);
+        out.put_list(states);
       }
   });
   head_.save(folder, communicator_);
 }
 
 
-void ParticleSimulation::restore_file(const std::string &file)
+void ParticleSimulation::restore_part(io::StateReader &in)
 {
-  std::istringstream in(io::read_file(file));
   CheckpointHeader header;
-  io::read_binary(in, header);
-  if (!in || header.n_materials != scene_.materials().size() ||
+  in.take(header);
+  if (header.n_materials != scene_.materials().size() ||
       header.cell_size != scene_.cell_size())
-    throw InputError("Checkpoint file " + file + " is of another scene");
-  extremes_.restore(in, file);
+    in.refuse();
+  extremes_.restore(in);
   Peaks peaks;
-  io::take_list(in, file, peaks);
+  in.take_list(peaks);
   // Each file has the peaks of all ranks; keep the largest.
   if (reference_.peaks().size() < peaks.size())
     reference_.peaks().resize(peaks.size(), {{0., 0.}});
@@ -133,12 +123,12 @@ void ParticleSimulation::restore_file(const std::string &file)
   for (std::uint64_t i = 0; i < header.n_blocks; ++i)
   {
     BlockHead head;
-    io::read_binary(in, head);
+    in.take(head);
     std::vector<double> states;
-    io::take_list(in, file, states);
-    if (!in || head.material >= header.n_materials ||
+    in.take_list(states);
+    if (head.material >= header.n_materials ||
         states.size() % mpm::column::n_state_columns != 0)
-      throw InputError("Checkpoint file " + file + " is damaged");
+      in.refuse();
     if (std::binary_search(own.begin(), own.end(), head.tile))
       for (std::size_t p = 0; p < states.size();
            p += mpm::column::n_state_columns)
@@ -150,13 +140,12 @@ void ParticleSimulation::restore_file(const std::string &file)
 void ParticleSimulation::restore(const std::string &folder)
 {
   build_grid();
-  unsigned int n_files = 0;
-  // Each rank reads all files and keeps the particles in its tiles.
-  while (std::filesystem::exists(file_of(folder, n_files)))
-    restore_file(file_of(folder, n_files++));
+  // Each rank reads all parts and keeps the particles in its tiles.
+  io::restore_parts(
+    folder, "mpm", [&](io::StateReader &in) { restore_part(in); });
   const std::uint64_t found =
     mpi::sum(static_cast<std::uint64_t>(particles_.size()), communicator_);
-  if (n_files == 0 || found != n_particles_)
+  if (found != n_particles_)
     throw InputError("Checkpoint " + folder +
                      " lacks particles: " + std::to_string(found) + " of " +
                      std::to_string(n_particles_) + " are there");

@@ -6,13 +6,8 @@
 #include <contrecoup/base/parameters/tissue_list.h>
 #include <contrecoup/base/parameters/used_with.h>
 #include <contrecoup/base/system/exceptions.h>
-#include <contrecoup/io/file/binary_records.h>
-#include <contrecoup/io/file/checked_file.h>
+#include <contrecoup/io/file/state_file.h>
 #include <contrecoup/solid/boundary/slip_ties.h>
-
-#include <filesystem>
-#include <fstream>
-#include <unordered_map>
 
 namespace contrecoup::solid
 {
@@ -24,7 +19,7 @@ namespace
   /// State of a tie in a checkpoint.
   struct TieRecord
   {
-    std::uint32_t node; ///< the sliding one, in the whole mesh
+    std::uint32_t number; ///< of the sliding node in the whole mesh
     std::array<std::array<double, 3>, 2> force;
     double opening;
   };
@@ -275,61 +270,46 @@ std::vector<NamedValue> SlipTies::measures(const NodeFields<Real> &nodes,
 }
 
 
-void SlipTies::save(const std::string &folder, const unsigned int rank) const
+void SlipTies::save(const std::string &folder,
+                    const MPI_Comm communicator) const
 {
   if (!active())
     return;
-  io::write_file(io::rank_file(folder, "slip", rank), [&](std::ostream &out) {
-    io::write_binary(out, work_);
-    io::write_binary(out, std::uint64_t(ties_.size()));
-    for (const Tie &tie : ties_)
-    {
+  io::save_part(folder, "slip", communicator, [&](io::StateWriter &out) {
+    out.put(work_);
+    out.put_records(ties_.size(), [&](const std::size_t i) {
+      const Tie &tie = ties_[i];
       TieRecord record{tie.global, {}, tie.opening};
       for (unsigned int side = 0; side < 2; ++side)
         for (unsigned int d = 0; d < 3; ++d)
           record.force[side][d] = tie.force[side][d];
-      io::write_binary(out, record);
-    }
+      return record;
+    });
   });
 }
 
 
-void SlipTies::restore(const std::string &folder, const unsigned int rank)
+void SlipTies::restore(const std::string &folder, const MPI_Comm communicator)
 {
   if (!active())
     return;
   work_ = 0.;
-  std::unordered_map<std::uint32_t, std::size_t> index;
-  for (std::size_t i = 0; i < ties_.size(); ++i)
-    index[ties_[i].global] = i;
-  for (unsigned int saved = 0;
-       std::filesystem::exists(io::rank_file(folder, "slip", saved));
-       ++saved)
-  {
-    std::ifstream in(io::rank_file(folder, "slip", saved), std::ios::binary);
+  const io::NumberIndex here = io::index_by_number(
+    ties_.size(), [&](const std::size_t i) { return ties_[i].global; });
+  io::restore_parts(folder, "slip", [&](io::StateReader &in) {
     double work = 0.;
-    std::uint64_t n_ties = 0;
-    io::read_binary(in, work);
-    io::read_binary(in, n_ties);
+    in.take(work);
     // Rank 0 continues the sum over all saved ranks.
-    work_ += rank == 0 ? work : 0.;
-    for (std::uint64_t i = 0; in && i < n_ties; ++i)
-    {
-      TieRecord record{};
-      io::read_binary(in, record);
-      const auto found = index.find(record.node);
-      if (found == index.end())
-        continue;
-      ties_[found->second].opening = record.opening;
-      for (unsigned int side = 0; side < 2; ++side)
-        for (unsigned int d = 0; d < 3; ++d)
-          ties_[found->second].force[side][d] = record.force[side][d];
-    }
-    if (!in)
-      throw InputError("Checkpoint file " +
-                       io::rank_file(folder, "slip", saved) +
-                       " ends too early");
-  }
+    if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+      work_ += work;
+    in.take_records<TieRecord>(
+      here, [&](const std::size_t i, const TieRecord &record) {
+        ties_[i].opening = record.opening;
+        for (unsigned int side = 0; side < 2; ++side)
+          for (unsigned int d = 0; d < 3; ++d)
+            ties_[i].force[side][d] = record.force[side][d];
+      });
+  });
 }
 
 

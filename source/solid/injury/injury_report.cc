@@ -8,17 +8,14 @@
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/base/system/timers.h>
-#include <contrecoup/io/file/binary_records.h>
-#include <contrecoup/io/file/checked_file.h>
+#include <contrecoup/io/file/state_file.h>
 #include <contrecoup/solid/body/stress_invariants.h>
 #include <contrecoup/solid/body/tissue_measures.h>
 #include <contrecoup/solid/injury/injury_report.h>
 #include <contrecoup/solid/motion/mean_motion.h>
 
 #include <cmath>
-#include <filesystem>
 #include <limits>
-#include <sstream>
 
 namespace contrecoup::solid
 {
@@ -354,14 +351,13 @@ void InjuryReport<Real>::save(const SolidBody<Real> &body,
 {
   if (!active_)
     return;
-  const unsigned int rank =
-    dealii::Utilities::MPI::this_mpi_process(body.communicator());
-  io::write_file(io::rank_file(folder, "injury", rank), [&](std::ostream &out) {
-    record_.save(out);
-    io::put_list(out, chest_.times());
-    io::put_list(out, chest_.pressures());
-    io::put_list(out, chest_.wall_velocities());
-  });
+  io::save_part(
+    folder, "injury", body.communicator(), [&](io::StateWriter &out) {
+      record_.save(out);
+      out.put_list(chest_.times());
+      out.put_list(chest_.pressures());
+      out.put_list(chest_.wall_velocities());
+    });
 }
 
 
@@ -371,19 +367,14 @@ void InjuryReport<Real>::restore(const SolidBody<Real> &body,
 {
   if (!active_)
     return;
-  for (unsigned int rank = 0;
-       std::filesystem::exists(io::rank_file(folder, "injury", rank));
-       ++rank)
-  {
-    const std::string file = io::rank_file(folder, "injury", rank);
-    std::istringstream in(io::read_file(file));
-    record_.restore(in, file, rank, body.communicator());
+  io::restore_parts(folder, "injury", [&](io::StateReader &in) {
+    record_.restore(in, body.communicator());
     std::array<std::vector<double>, 3> chest;
     for (std::vector<double> &values : chest)
-      io::take_list(in, file, values);
+      in.take_list(values);
     chest_.restore(
       std::move(chest[0]), std::move(chest[1]), std::move(chest[2]));
-  }
+  });
 }
 
 

@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/system/exceptions.h>
-#include <contrecoup/io/file/binary_records.h>
-#include <contrecoup/io/file/checked_file.h>
+#include <contrecoup/io/file/state_file.h>
 #include <contrecoup/solid/motion/solid_body.h>
 
 #include <cstddef>
-#include <filesystem>
-#include <fstream>
-#include <unordered_map>
 
 namespace contrecoup::solid
 {
@@ -17,14 +12,11 @@ namespace contrecoup::solid
 template <typename Real>
 struct SolidBody<Real>::CheckpointHeader
 {
-  std::uint64_t n_nodes;
-  std::uint64_t n_cells;
   std::uint64_t n_global_nodes;
   std::uint64_t n_global_elements;
   std::uint64_t n_tissues;
   /// relaxed strain components per viscoelastic element
   std::uint64_t n_relaxed;
-  std::uint64_t n_damped;
   std::uint64_t number_size;
   double time;
   double relaxed_time;
@@ -40,15 +32,12 @@ struct SolidBody<Real>::CheckpointHeader
 
 namespace
 {
-  using io::read_binary;
-  using io::write_binary;
-
   /// Displacement, velocity, the four numbers of the force, and the reaction
   /// part of the force.
   template <typename Real>
   struct NodeRecord
   {
-    std::uint32_t node;
+    std::uint32_t number;
     std::array<Real, 10> values;
     std::array<double, 3> reaction;
   };
@@ -58,14 +47,13 @@ namespace
   template <typename Real>
   struct CellRecord
   {
-    std::uint32_t cell;
+    std::uint32_t number;
     std::array<Real, 52> values;
 
     /// Number of bytes used with @p n_relaxed relaxed strain components.
-    static std::streamsize size(const std::uint64_t n_relaxed)
+    static std::size_t size(const std::uint64_t n_relaxed)
     {
-      return static_cast<std::streamsize>(offsetof(CellRecord, values) +
-                                          sizeof(Real) * (4 + n_relaxed));
+      return offsetof(CellRecord, values) + sizeof(Real) * (4 + n_relaxed);
     }
   };
 
@@ -73,7 +61,7 @@ namespace
   template <typename Real>
   struct DampingRecord
   {
-    std::uint32_t cell;
+    std::uint32_t number;
     std::array<Real, 12> values;
   };
 
@@ -128,36 +116,12 @@ namespace
           &batches.damping[range.first_damping + 12 * (batch - range.begin)],
           lane);
   }
-
-  /// Reads @p n records. @p cells maps global to local cell numbers.
-  template <typename Real>
-  void
-  take_damping(std::istream &in,
-               const std::uint64_t n,
-               const std::unordered_map<std::uint32_t, std::uint32_t> &cells,
-               HexBatches<Real> &batches)
-  {
-    for (std::uint64_t i = 0; i < n; ++i)
-    {
-      DampingRecord<Real> record;
-      read_binary(in, record);
-      const auto found = cells.find(record.cell);
-      if (found != cells.end())
-        for_damping(
-          batches, found->second, [&](auto *forces, const unsigned int lane) {
-            for (unsigned int k = 0; k < 12; ++k)
-              forces[k][lane] = record.values[k];
-          });
-    }
-  }
 } // namespace
 
 
 template <typename Real>
 void SolidBody<Real>::save(const std::string &folder) const
 {
-  const unsigned int rank =
-    dealii::Utilities::MPI::this_mpi_process(communicator_);
   std::vector<std::array<double, 3>> reactions(mesh_.nodes.size());
   Supports supports = supports_;
   supports.for_each_reaction(
@@ -172,33 +136,31 @@ void SolidBody<Real>::save(const std::string &folder) const
         for (unsigned int k = 0; k < 12; ++k)
           damping.back().values[k] = forces[k][lane];
       });
-  io::write_file(io::rank_file(folder, "solid", rank), [&](std::ostream &out) {
-    write_binary(out,
-                 CheckpointHeader{mesh_.nodes.size(),
-                                  mesh_.elements.size(),
-                                  mesh_.n_global_nodes,
-                                  mesh_.n_global_elements,
-                                  mesh_.tissues.size(),
-                                  operator_.batches().n_relaxed(),
-                                  damping.size(),
-                                  sizeof(Real),
-                                  time_,
-                                  time_of_relaxed_strain_,
-                                  times_,
-                                  external_work_,
-                                  nodal_work_,
-                                  step_change_,
-                                  initial_energy_,
-                                  least_volume_,
-                                  computed_updates_,
-                                  total_updates_});
+  io::save_part(folder, "solid", communicator_, [&](io::StateWriter &out) {
+    out.put(CheckpointHeader{mesh_.n_global_nodes,
+                             mesh_.n_global_elements,
+                             mesh_.tissues.size(),
+                             operator_.batches().n_relaxed(),
+                             sizeof(Real),
+                             time_,
+                             time_of_relaxed_strain_,
+                             times_,
+                             external_work_,
+                             nodal_work_,
+                             step_change_,
+                             initial_energy_,
+                             least_volume_,
+                             computed_updates_,
+                             total_updates_});
     for (const TissueEnergies &one : operator_.losses())
-      write_binary(out, one);
-    for (std::size_t i = 0; i < mesh_.nodes.size(); ++i)
-      write_binary(out,
-                   NodeRecord<Real>{mesh_.global_node[i],
-                                    node_values(nodes_, i),
-                                    reactions[i]});
+      out.put(one);
+    out.put_records(mesh_.nodes.size(), [&](const std::size_t i) {
+      return NodeRecord<Real>{
+        mesh_.global_node[i], node_values(nodes_, i), reactions[i]};
+    });
+    const std::size_t bytes =
+      CellRecord<Real>::size(operator_.batches().n_relaxed());
+    out.put(static_cast<std::uint64_t>(mesh_.elements.size()));
     for (std::size_t i = 0; i < mesh_.elements.size(); ++i)
     {
       CellRecord<Real> record{mesh_.global_element[i], {}};
@@ -206,13 +168,11 @@ void SolidBody<Real>::save(const std::string &folder) const
         operator_.batches(), i, [&](const unsigned int k, const Real value) {
           record.values[k] = value;
         });
-      out.write(reinterpret_cast<const char *>(&record),
-                CellRecord<Real>::size(operator_.batches().n_relaxed()));
+      out.put_bytes(&record, bytes);
     }
-    for (const DampingRecord<Real> &record : damping)
-      write_binary(out, record);
+    out.put_list(damping);
   });
-  slip_.save(folder, rank);
+  slip_.save(folder, communicator_);
 }
 
 
@@ -220,55 +180,53 @@ template <typename Real>
 void SolidBody<Real>::restore(const std::string &folder)
 {
   std::vector<std::array<double, 3>> reactions(mesh_.nodes.size());
-  std::unordered_map<std::uint32_t, std::uint32_t> node, cell;
-  for (std::size_t i = 0; i < mesh_.nodes.size(); ++i)
-    node[mesh_.global_node[i]] = i;
-  for (std::size_t i = 0; i < mesh_.elements.size(); ++i)
-    cell[mesh_.global_element[i]] = i;
-  for (unsigned int rank = 0;; ++rank)
-  {
-    const std::string file = io::rank_file(folder, "solid", rank);
-    if (!std::filesystem::exists(file))
-      break;
-    std::ifstream in(file, std::ios::binary);
-    const CheckpointHeader header = read_header(in, file);
-    for (std::uint64_t i = 0; i < header.n_nodes; ++i)
-    {
-      NodeRecord<Real> record;
-      read_binary(in, record);
-      const auto found = node.find(record.node);
-      if (found == node.end())
-        continue;
-      for (unsigned int d = 0; d < 3; ++d)
-      {
-        nodes_.displacement_of(found->second)[d] = record.values[d];
-        nodes_.velocity_of(found->second)[d] = record.values[3 + d];
-        nodes_.force_of(found->second)[d] = record.values[6 + d];
-        reactions[found->second][d] = record.reaction[d];
-      }
-      nodes_.force_of(found->second)[3] = record.values[9];
-    }
-    for (std::uint64_t i = 0; i < header.n_cells; ++i)
+  const io::NumberIndex nodes =
+                          io::index_by_number(mesh_.nodes.size(),
+                                              [&](const std::size_t i) {
+                                                return mesh_.global_node[i];
+                                              }),
+                        cells = io::index_by_number(
+                          mesh_.elements.size(), [&](const std::size_t i) {
+                            return mesh_.global_element[i];
+                          });
+  io::restore_parts(folder, "solid", [&](io::StateReader &in) {
+    read_header(in);
+    in.take_records<NodeRecord<Real>>(
+      nodes, [&](const std::size_t i, const NodeRecord<Real> &record) {
+        for (unsigned int d = 0; d < 3; ++d)
+        {
+          nodes_.displacement_of(i)[d] = record.values[d];
+          nodes_.velocity_of(i)[d] = record.values[3 + d];
+          nodes_.force_of(i)[d] = record.values[6 + d];
+          reactions[i][d] = record.reaction[d];
+        }
+        nodes_.force_of(i)[3] = record.values[9];
+      });
+    auto &batches = operator_.batches();
+    const std::size_t bytes = CellRecord<Real>::size(batches.n_relaxed());
+    const std::uint64_t n_cells = in.take_size(bytes);
+    for (std::uint64_t i = 0; i < n_cells; ++i)
     {
       CellRecord<Real> record;
-      in.read(reinterpret_cast<char *>(&record),
-              CellRecord<Real>::size(header.n_relaxed));
-      const auto found = cell.find(record.cell);
-      if (found != cell.end())
+      in.take_bytes(&record, bytes);
+      if (const auto found = cells.find(record.number); found != cells.end())
         for_each_state(
-          operator_.batches(),
-          found->second,
-          [&](const unsigned int k, Real &value) { value = record.values[k]; });
+          batches, found->second, [&](const unsigned int k, Real &value) {
+            value = record.values[k];
+          });
     }
-    take_damping(in, header.n_damped, cell, operator_.batches());
-    if (!in)
-      throw InputError("Checkpoint file " + file + " ends too early");
-  }
+    in.take_records<DampingRecord<Real>>(
+      cells, [&](const std::size_t i, const DampingRecord<Real> &record) {
+        for_damping(batches, i, [&](auto *forces, const unsigned int lane) {
+          for (unsigned int k = 0; k < 12; ++k)
+            forces[k][lane] = record.values[k];
+        });
+      });
+  });
   supports_.for_each_reaction([&](const std::uint32_t i,
                                   const unsigned int d,
                                   double &value) { value = reactions[i][d]; });
-  slip_.restore(folder,
-                dealii::Utilities::MPI::this_mpi_process(communicator_));
+  slip_.restore(folder, communicator_);
   slip_.find_normals(nodes_, exchange_);
   loads_.set_time(time_);
   // History variables may differ from zero where nodes are at rest.
@@ -281,17 +239,16 @@ void SolidBody<Real>::restore(const std::string &folder)
 
 
 template <typename Real>
-typename SolidBody<Real>::CheckpointHeader
-SolidBody<Real>::read_header(std::istream &in, const std::string &file)
+void SolidBody<Real>::read_header(io::StateReader &in)
 {
   CheckpointHeader header;
-  read_binary(in, header);
-  if (!in || header.n_global_nodes != mesh_.n_global_nodes ||
+  in.take(header);
+  if (header.n_global_nodes != mesh_.n_global_nodes ||
       header.n_global_elements != mesh_.n_global_elements ||
       header.n_tissues != mesh_.tissues.size() ||
       header.n_relaxed != operator_.batches().n_relaxed() ||
       header.number_size != sizeof(Real))
-    throw InputError("Checkpoint file " + file + " belongs to another scene");
+    in.refuse();
   time_ = header.time;
   time_of_relaxed_strain_ = header.relaxed_time;
   times_ = header.times;
@@ -299,10 +256,10 @@ SolidBody<Real>::read_header(std::istream &in, const std::string &file)
   least_volume_ = header.least_volume;
   std::vector<TissueEnergies> losses(operator_.losses().size());
   for (TissueEnergies &one : losses)
-    read_binary(in, one);
+    in.take(one);
   // Rank 0 continues the sums over all saved ranks.
   if (dealii::Utilities::MPI::this_mpi_process(communicator_) != 0)
-    return header;
+    return;
   external_work_ += header.external_work;
   nodal_work_ += header.nodal_work;
   step_change_ += header.step_change;
@@ -315,7 +272,6 @@ SolidBody<Real>::read_header(std::istream &in, const std::string &file)
     operator_.losses()[i].hourglass_damping += losses[i].hourglass_damping;
     operator_.losses()[i].pressure_smoothing += losses[i].pressure_smoothing;
   }
-  return header;
 }
 
 

@@ -1,23 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/gather.h>
-#include <contrecoup/io/file/binary_records.h>
-#include <contrecoup/io/file/checked_file.h>
+#include <contrecoup/io/file/state_file.h>
 #include <contrecoup/solid/body/tissue_measures.h>
 #include <contrecoup/solid/record/cavity_record.h>
 
-#include <filesystem>
-#include <sstream>
-#include <unordered_map>
 
 namespace contrecoup::solid
 {
 namespace
 {
-  using io::read_binary;
-  using io::write_binary;
 
   std::array<dealii::Point<3>, 8> corners_of(const SolidMesh &mesh,
                                              const std::uint32_t cell)
@@ -189,21 +182,16 @@ void CavityRecord<Real>::save(const SolidBody<Real> &body,
 {
   if (tissues_.empty())
     return;
-  const unsigned int rank =
-    dealii::Utilities::MPI::this_mpi_process(body.communicator());
-  io::write_file(
-    io::rank_file(folder, "cavities", rank), [&](std::ostream &out) {
+  io::save_part(
+    folder, "cavities", body.communicator(), [&](io::StateWriter &out) {
       for (const Cavities &one : tissues_)
       {
         for (const double value : {one.volume, one.largest, one.time})
-          write_binary(out, value);
-        const std::uint64_t size = one.elements.size();
-        write_binary(out, size);
-        for (std::size_t i = 0; i < size; ++i)
-        {
-          write_binary(out, body.mesh().global_element[one.elements[i]]);
-          write_binary(out, one.collapses[i]);
-        }
+          out.put(value);
+        out.put_records(one.elements.size(), [&](const std::size_t i) {
+          return CollapseRecord{body.mesh().global_element[one.elements[i]],
+                                one.collapses[i]};
+        });
       }
     });
 }
@@ -213,37 +201,24 @@ template <typename Real>
 void CavityRecord<Real>::restore(const SolidBody<Real> &body,
                                  const std::string &folder)
 {
-  for (unsigned int rank = 0;
-       std::filesystem::exists(io::rank_file(folder, "cavities", rank));
-       ++rank)
-  {
-    std::istringstream in(
-      io::read_file(io::rank_file(folder, "cavities", rank)));
+  if (tissues_.empty())
+    return;
+  io::restore_parts(folder, "cavities", [&](io::StateReader &in) {
     for (Cavities &one : tissues_)
     {
-      std::unordered_map<std::uint32_t, std::size_t> here;
-      for (std::size_t i = 0; i < one.elements.size(); ++i)
-        here[body.mesh().global_element[one.elements[i]]] = i;
       for (double *value : {&one.volume, &one.largest, &one.time})
-        read_binary(in, *value);
-      std::uint64_t size = 0;
-      read_binary(in, size);
-      for (std::uint64_t i = 0; in && i < size; ++i)
-      {
-        std::uint32_t cell = 0;
-        Collapse collapse;
-        read_binary(in, cell);
-        read_binary(in, collapse);
-        const auto found = here.find(cell);
-        if (found != here.end())
-          one.collapses[found->second] = collapse;
-      }
+        in.take(*value);
+      in.take_records<CollapseRecord>(
+        io::index_by_number(
+          one.elements.size(),
+          [&](const std::size_t i) {
+            return body.mesh().global_element[one.elements[i]];
+          }),
+        [&](const std::size_t i, const CollapseRecord &record) {
+          one.collapses[i] = record.collapse;
+        });
     }
-    if (!in)
-      throw InputError("Checkpoint file " +
-                       io::rank_file(folder, "cavities", rank) +
-                       " belongs to another scene");
-  }
+  });
 }
 
 

@@ -3,20 +3,15 @@
 
 #include <contrecoup/base/parameters/parameters.h>
 #include <contrecoup/base/parameters/used_with.h>
-#include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/timers.h>
-#include <contrecoup/io/file/binary_records.h>
-#include <contrecoup/io/file/checked_file.h>
+#include <contrecoup/io/file/state_file.h>
 #include <contrecoup/solid/body/stress_invariants.h>
 #include <contrecoup/solid/body/tissue_measures.h>
 #include <contrecoup/solid/record/peak_fields.h>
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <numeric>
-#include <sstream>
-#include <unordered_map>
 
 namespace contrecoup::solid
 {
@@ -25,7 +20,7 @@ namespace
   /// The peaks of an element in a checkpoint.
   struct Record
   {
-    std::uint32_t cell; ///< in the whole mesh
+    std::uint32_t number; ///< of the cell in the whole mesh
     std::array<float, 4> peaks;
   };
 
@@ -233,20 +228,15 @@ void PeakFields<Real>::save(const SolidBody<Real> &body,
 {
   if (!active_)
     return;
-  const unsigned int rank =
-    dealii::Utilities::MPI::this_mpi_process(body.communicator());
-  std::vector<Record> records;
-  for (std::size_t i = 0; i < fields_[0].size(); ++i)
-    records.push_back(
-      {body.mesh().global_element[i],
-       {{fields_[0][i], fields_[1][i], fields_[2][i], fields_[3][i]}}});
-  io::write_file(io::rank_file(folder, "peaks", rank), [&](std::ostream &out) {
-    const std::uint64_t size = records.size();
-    out.write(reinterpret_cast<const char *>(&n_steps_), sizeof(n_steps_));
-    out.write(reinterpret_cast<const char *>(&size), sizeof(size));
-    out.write(reinterpret_cast<const char *>(records.data()),
-              static_cast<std::streamsize>(size * sizeof(Record)));
-  });
+  io::save_part(
+    folder, "peaks", body.communicator(), [&](io::StateWriter &out) {
+      out.put(n_steps_);
+      out.put_records(fields_[0].size(), [&](const std::size_t i) {
+        return Record{
+          body.mesh().global_element[i],
+          {{fields_[0][i], fields_[1][i], fields_[2][i], fields_[3][i]}}};
+      });
+    });
 }
 
 
@@ -256,31 +246,18 @@ void PeakFields<Real>::restore(const SolidBody<Real> &body,
 {
   if (!active_)
     return;
-  std::unordered_map<std::uint32_t, std::size_t> here;
-  for (std::size_t i = 0; i < body.mesh().elements.size(); ++i)
-    here[body.mesh().global_element[i]] = i;
-  for (unsigned int rank = 0;
-       std::filesystem::exists(io::rank_file(folder, "peaks", rank));
-       ++rank)
-  {
-    std::istringstream in(io::read_file(io::rank_file(folder, "peaks", rank)));
-    std::uint64_t size = 0;
-    in.read(reinterpret_cast<char *>(&n_steps_), sizeof(n_steps_));
-    in.read(reinterpret_cast<char *>(&size), sizeof(size));
-    for (std::uint64_t i = 0; in && i < size; ++i)
-    {
-      Record record;
-      in.read(reinterpret_cast<char *>(&record), sizeof(record));
-      const auto found = here.find(record.cell);
-      if (found != here.end())
-        for (unsigned int k = 0; k < n_fields; ++k)
-          fields_[k][found->second] = record.peaks[k];
-    }
-    if (!in)
-      throw InputError("Checkpoint file " +
-                       io::rank_file(folder, "peaks", rank) +
-                       " belongs to another scene");
-  }
+  const auto &numbers = body.mesh().global_element;
+  const io::NumberIndex here =
+    io::index_by_number(body.mesh().elements.size(),
+                        [&](const std::size_t i) { return numbers[i]; });
+  io::restore_parts(folder, "peaks", [&](io::StateReader &in) {
+    in.take(n_steps_);
+    in.take_records<Record>(here,
+                            [&](const std::size_t i, const Record &record) {
+                              for (unsigned int k = 0; k < n_fields; ++k)
+                                fields_[k][i] = record.peaks[k];
+                            });
+  });
 }
 
 

@@ -9,15 +9,13 @@
 #include <contrecoup/base/system/coordinates.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
-#include <contrecoup/io/file/binary_records.h>
-#include <contrecoup/io/file/checked_file.h>
+#include <contrecoup/io/file/state_file.h>
 #include <contrecoup/solid/body/stress_invariants.h>
 #include <contrecoup/solid/record/solid_probes.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 namespace contrecoup::solid
 {
@@ -465,9 +463,9 @@ void SolidProbes<Real>::save(const SolidBody<Real> &body,
   if (measures_.empty() ||
       dealii::Utilities::MPI::this_mpi_process(body.communicator()) != 0)
     return;
-  io::write_file(folder + "/measures.bin", [&](std::ostream &out) {
+  io::save_state(folder + "/measures.bin", [&](io::StateWriter &out) {
     for (const Measure &measure : measures_)
-      io::write_binary(out, measure.state);
+      out.put(measure.state);
   });
 }
 
@@ -478,12 +476,9 @@ void SolidProbes<Real>::restore(const SolidBody<Real> & /*body*/,
 {
   if (measures_.empty())
     return;
-  const std::string file = folder + "/measures.bin";
-  std::istringstream in(io::read_file(file));
+  io::StateReader in(folder + "/measures.bin");
   for (Measure &measure : measures_)
-    io::read_binary(in, measure.state);
-  if (!in)
-    throw InputError("Checkpoint file " + file + " belongs to another scene");
+    in.take(measure.state);
 }
 
 

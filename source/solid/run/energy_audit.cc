@@ -5,7 +5,6 @@
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/log.h>
 #include <contrecoup/base/system/text.h>
-#include <contrecoup/io/file/binary_records.h>
 #include <contrecoup/solid/body/tissue_measures.h>
 #include <contrecoup/solid/run/energy_audit.h>
 
@@ -154,21 +153,21 @@ void EnergyAudit::judge(const EnergyLedger &ledger,
 }
 
 
-void EnergyAudit::save(std::ostream &out) const
+void EnergyAudit::save(io::StateWriter &out) const
 {
-  io::write_binary(out, scale_);
-  io::write_binary(out, body_);
+  out.put(scale_);
+  out.put(body_);
   for (const Largest &one : tissues_)
-    io::write_binary(out, one);
+    out.put(one);
 }
 
 
-void EnergyAudit::load(std::istream &in, const std::size_t n_tissues)
+void EnergyAudit::load(io::StateReader &in, const std::size_t n_tissues)
 {
-  io::read_binary(in, scale_);
-  io::read_binary(in, body_);
+  in.take(scale_);
+  in.take(body_);
   tissues_.resize(n_tissues);
   for (Largest &one : tissues_)
-    io::read_binary(in, one);
+    in.take(one);
 }
 } // namespace contrecoup::solid

@@ -2,19 +2,17 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/parameters/parameters.h>
-#include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/log.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/base/system/timers.h>
-#include <contrecoup/io/file/binary_records.h>
 #include <contrecoup/io/file/checked_file.h>
+#include <contrecoup/io/file/state_file.h>
 #include <contrecoup/solid/body/tissue_measures.h>
 #include <contrecoup/solid/boundary/load_alignment.h>
 #include <contrecoup/solid/run/solid_output.h>
 #include <contrecoup/solid/run/solid_simulation.h>
 
 #include <cmath>
-#include <sstream>
 
 namespace contrecoup::solid
 {
@@ -410,10 +408,10 @@ void SolidSimulation<Real>::save(const std::string &folder)
   body_.save(folder);
   recorders_.for_each(&SolidRecorder<Real>::save, body_, folder);
   if (dealii::Utilities::MPI::this_mpi_process(communicator_) == 0)
-    io::write_file(folder + "/run.bin", [&](std::ostream &out) {
+    io::save_state(folder + "/run.bin", [&](io::StateWriter &out) {
       for (const double value :
            {reduction_, deformed_step_, steps_until_check_, told_step_})
-        io::write_binary(out, value);
+        out.put(value);
       audit_.save(out);
     });
 }
@@ -425,14 +423,11 @@ void SolidSimulation<Real>::restore(const std::string &folder)
   build();
   body_.restore(folder);
   recorders_.for_each(&SolidRecorder<Real>::restore, body_, folder);
-  std::istringstream stream(io::read_file(folder + "/run.bin"));
+  io::StateReader in(folder + "/run.bin");
   for (double *value :
        {&reduction_, &deformed_step_, &steps_until_check_, &told_step_})
-    io::read_binary(stream, *value);
-  audit_.load(stream, body_.mesh().tissues.size());
-  if (!stream)
-    throw InputError("Checkpoint file " + folder +
-                     "/run.bin belongs to another scene");
+    in.take(*value);
+  audit_.load(in, body_.mesh().tissues.size());
 }
 
 

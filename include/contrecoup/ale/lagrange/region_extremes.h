@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include <contrecoup/io/file/state_file.h>
+
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
@@ -72,11 +74,10 @@ public:
   }
 
   /// Saves this rank's record.
-  void save(std::ostream &out) const;
+  void save(io::StateWriter &out) const;
 
-  /// Adds what a rank has saved.
-  /// @param file for error messages @throws InputError for a damaged record
-  void restore(std::istream &in, const std::string &file);
+  /// Adds what a rank has saved. @throws InputError for one of another scene
+  void restore(io::StateReader &in);
 
 private:
   MPI_Comm communicator_ = MPI_COMM_SELF;

@@ -94,7 +94,7 @@ private:
   Assumption layer_resolution() const;
   void find_probes();
   /// Reads the particles of tiles on this rank.
-  void restore_file(const std::string &file);
+  void restore_part(io::StateReader &in);
 
   MPI_Comm communicator_;
   ImpactScene impact_;

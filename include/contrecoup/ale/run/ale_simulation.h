@@ -12,8 +12,6 @@
 #include <contrecoup/ale/rezone/rezone.h>
 #include <contrecoup/base/run/simulation.h>
 
-#include <unordered_map>
-
 namespace contrecoup::ale
 {
 /**
@@ -78,14 +76,7 @@ private:
   ImpactPlan impact_plan() const;
   /// Finds further usable symmetry.
   void find_symmetry(ImpactPlan &plan) const;
-  void restore_peaks(std::istream &in,
-                     const std::string &file,
-                     const std::size_t n_peaks);
-  /// @param cells local cell by global cell number
-  void
-  restore_cells(std::istream &in,
-                const std::uint64_t n,
-                const std::unordered_map<std::uint32_t, std::size_t> &cells);
+  void restore_peaks(io::StateReader &in);
 
   MPI_Comm communicator_;
   ImpactScene impact_;

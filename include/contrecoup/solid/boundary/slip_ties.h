@@ -101,11 +101,11 @@ public:
                                    MPI_Comm communicator) const;
 
   /// Writes the state of @p rank to @p folder. @throws SystemError
-  void save(const std::string &folder, unsigned int rank) const;
+  void save(const std::string &folder, const MPI_Comm communicator) const;
 
   /// Reads the state written by any number of ranks.
   /// @throws InputError for files that are incomplete
-  void restore(const std::string &folder, unsigned int rank);
+  void restore(const std::string &folder, const MPI_Comm communicator);
 
 private:
   using Vector = dealii::Tensor<1, 3>;

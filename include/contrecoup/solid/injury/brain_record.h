@@ -3,11 +3,10 @@
 
 #pragma once
 
+#include <contrecoup/io/file/state_file.h>
 #include <contrecoup/solid/injury/brain_measures.h>
 
 #include <array>
-#include <iosfwd>
-#include <string>
 #include <vector>
 
 namespace contrecoup::solid
@@ -21,18 +20,11 @@ struct BrainRecord
   std::vector<BrainSample> samples; ///< of this rank
   HeadMotion motion;
 
-  void save(std::ostream &out) const;
+  void save(io::StateWriter &out) const;
 
-  /**
-   * Reads the record that @p rank saved: samples of elements or particles that
-   * this rank owns now; the sums are continued by one rank. Call for each saved
-   * rank, in order.
-   * @param file for error messages
-   * @throws InputError when the stream holds no record
-   */
-  void restore(std::istream &in,
-               const std::string &file,
-               const unsigned int rank,
-               const MPI_Comm communicator);
+  /// Reads the record that a rank saved: samples of elements or particles that
+  /// this rank owns now; the sums are continued by one rank. Call for each
+  /// saved rank, in order. @throws InputError when the file holds no record
+  void restore(io::StateReader &in, const MPI_Comm communicator);
 };
 } // namespace contrecoup::solid

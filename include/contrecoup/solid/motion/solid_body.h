@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <contrecoup/io/file/state_file.h>
 #include <contrecoup/solid/body/node_exchange.h>
 #include <contrecoup/solid/boundary/slip_ties.h>
 #include <contrecoup/solid/boundary/supports.h>
@@ -198,7 +199,7 @@ private:
   [[noreturn]] void throw_step_failure(const Advance &failed);
   void describe(const std::uint32_t cell, std::ostream &text) const;
 
-  CheckpointHeader read_header(std::istream &in, const std::string &file);
+  void read_header(io::StateReader &in);
   void set_masses();
   void set_smoothing_weights();
   void gather_hanging(Real *values, unsigned int width, unsigned int stride);

@@ -43,6 +43,12 @@ private:
     float highest = 0.F; ///< pressure after the cavity [Pa]
     double time = 0.;    ///< of that pressure [s]
   };
+  /// The same in a checkpoint.
+  struct CollapseRecord
+  {
+    std::uint32_t number; ///< of the element in the whole mesh
+    Collapse collapse;
+  };
 
   /// A cavitating tissue.
   struct Cavities

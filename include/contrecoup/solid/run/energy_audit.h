@@ -4,6 +4,7 @@
 #pragma once
 
 #include <contrecoup/base/run/simulation.h>
+#include <contrecoup/io/file/state_file.h>
 #include <contrecoup/solid/motion/solid_body.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -45,8 +46,8 @@ public:
              const std::vector<Tissue> &tissues) const;
 
   /// For checkpoints.
-  void save(std::ostream &out) const;
-  void load(std::istream &in, std::size_t n_tissues);
+  void save(io::StateWriter &out) const;
+  void load(io::StateReader &in, std::size_t n_tissues);
 
 private:
   /// Largest energies of a tissue, or of the body, over time [J].
