@@ -816,9 +816,10 @@ class ReportTest(unittest.TestCase):
         for case, words in (
                 ((run, "phantom", 0.1, 0.1), "W; w."),
                 ((run, "phantom", None, 0.1), "W; w; numerical error of title of "
-                 "lung_lethality unknown: the coarser run has no value of it."),
+                 "lung_lethality unknown: the coarser run has no complete value of it."),
                 ((run, "phantom", None, None), "W; w; numerical error unknown: "
-                 "the coarser run has no value of them."),
+                 "the coarser run has no complete value of "
+                 "them."),
                 ((run, "mesh", 0.1, None), "W; w; numerical error of title of "
                  "injury_hic15 unknown: your own hexahedra have no coarser "
                  "mesh."),
@@ -1672,7 +1673,7 @@ class ReportTest(unittest.TestCase):
             biomechanics=stage, measures=dict,
             blast=types.SimpleNamespace(found=lambda *_: None))
         self.assertIn(
-            "100 N s recorded on the whole body in magnitudes, as pushes from "
+            "100 N s recorded on the whole body at the end in magnitudes, as pushes from "
             "opposite sides cancel, 99.0 N s on the elements",
             " ".join(accuracy._checks(scene)).replace("\xa0", " "))
         self.assertEqual(headline._loads(scene), [])
@@ -1810,7 +1811,7 @@ class ReportTest(unittest.TestCase):
             entry("ear", True), entry("lung", False), entry("chest", None)])
         self.assertEqual(words, ["Numerical error could change one of three "
                                  "verdicts: lung; it is unknown of chest: the "
-                                 "coarser run has no value of it."])
+                                 "coarser run has no complete value of it."])
 
     def test_lungs_by_the_worse_measure(self):
         """A load above its threshold counts where the chest wall is slow; that

@@ -400,14 +400,14 @@ def _gauge_errors(scene, gauges):
         ("place", "error of peak", "error of impulse",
          "error of positive phase", "least positive phase"), rows,
         "Numerical errors, estimated from the coarser run; each is at least the "
-        "median of its column. Where a second wave comes within the positive "
-        "phase of this run or of the coarser one, errors of impulse and phase do "
-        "not hold if finer cells may let the pressure fall to zero in the dip "
-        "before that wave, after the least positive phase: where the dip is no "
-        "deeper than its error, or in one run alone. A dash: no such dip shows; "
-        "cells that merge both waves hide it, too. Unknown where one run alone "
-        "ends before the phase does, or the coarser one alone has two waves in "
-        "it.",
+        "median of its column. Where the pressure dips and rises again within "
+        "the positive phase of this run or of the coarser one, errors of impulse "
+        "and phase do not hold if finer cells may let it fall to zero in the "
+        "dip, after the least positive phase: where the dip is no deeper than "
+        "its error, or in one run alone. A dash: no such dip shows; cells that "
+        "merge two waves hide it, too. Unknown where one run alone ends before "
+        "the phase does, or the phase of the coarser one alone has a later "
+        "wave.",
         numbers=(1, 2, 3, 4))
 
 

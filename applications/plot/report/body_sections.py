@@ -229,7 +229,7 @@ def histories(scene):
         "Pressure over time, averaged over the tissue around each place; "
         "compression is positive."
         + (" Coup and contrecoup are at the height of the middle of the brain, on "
-           "the side of the charge and opposite, two elements within its "
+           "the side of the charge and opposite, a few elements within its "
            "surface." if brain else ""), "svg")]
     rows = []
     for place in places:

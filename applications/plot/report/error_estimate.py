@@ -110,7 +110,7 @@ def why_unknown(scene, entries):
         return "your own hexahedra have no coarser mesh"
     if is_alone:
         return "the scene has no coarser run"
-    return "the coarser run has no value of " + (
+    return "the coarser run has no complete value of " + (
         "it" if len(entries) == 1 else "them")
 
 

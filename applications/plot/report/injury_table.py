@@ -71,8 +71,10 @@ def judge(scene):
         value, other = measure.value, coarser.get(name)
         is_coarser_cut = other is not None and other[0].is_cut
         other = None if other is None else other[0].value
-        error, causes = (None, "") if other is None else error_estimate.of(
-            scene, name, value, other)
+        # A lower limit is no value to compare with.
+        error, causes = (None, "") if other is None or (
+            is_coarser_cut and not measure.is_cut) else error_estimate.of(
+                scene, name, value, other)
         curve, of = "", None
         least_part = 1.
         if name.startswith("ear_rupture_"):

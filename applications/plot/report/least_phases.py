@@ -31,15 +31,26 @@ class Wave(NamedTuple):
     peak: float
     ambient: float = injury_thresholds.SEA_LEVEL
 
+    def turns(self):
+        """Tops and dips within the positive phase."""
+        inside = (self.time >= self.arrival) \
+            & (self.time <= self.arrival + self.phase)
+        return signals.extrema(self.time[inside], self.over[inside],
+                               SMALLEST_DIP * self.peak) \
+            if inside.any() else ([], [])
+
     def dip(self):
         """The first one within the positive phase: time after the arrival and
         overpressure; None without."""
-        inside = (self.time >= self.arrival) \
-            & (self.time <= self.arrival + self.phase)
-        dips = signals.extrema(self.time[inside], self.over[inside],
-                               SMALLEST_DIP * self.peak)[1] \
-            if inside.any() else []
+        dips = self.turns()[1]
         return (dips[0][0] - self.arrival, dips[0][1]) if dips else None
+
+    def last_wave(self):
+        """Time from the arrival to the top of the last wave within the positive
+        phase that follows a dip, 0 without [s]."""
+        tops, dips = self.turns()
+        return max((time - self.arrival for time, _ in tops
+                    if dips and time > dips[0][0]), default=0.)
 
     def second_peak(self):
         """Its time [s], or None."""
@@ -57,13 +68,12 @@ def of_skin(scene):
 
 
 def of_fewer_waves(scene):
-    """Places on the skin whose positive phase ends before a second wave, while
-    that of the coarser run has both."""
-    coarser = {name: wave.dip() for name, wave in
+    """Places on the skin whose positive phase ends before the last wave that is
+    within that of the coarser run."""
+    coarser = {name: wave.last_wave() for name, wave in
                _at_gauges(scene.coarser).items()}
     return {name for name, wave in _at_gauges(scene).items()
-            if coarser.get(name) and not wave.dip()
-            and wave.phase <= coarser[name][0]}
+            if coarser.get(name, 0.) > wave.phase}
 
 
 def at_probe(scene):

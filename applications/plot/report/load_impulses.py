@@ -17,7 +17,7 @@ def along(scene):
 
 def kind(scene):
     """Comparison by along(), in words: when, and along what."""
-    return ("in magnitudes, as pushes from opposite sides cancel", "") \
+    return ("at the end in magnitudes, as pushes from opposite sides cancel", "") \
         if scene.biomechanics.found("checks", "loads_pushes_cancel") else \
         ("when it is largest", " along it")
 

@@ -50,7 +50,8 @@ namespace
     {
       result.push_back({"air",
                         "constant heat capacities",
-                        "excess pressure behind the front at the nearest probe",
+                        "excess pressure behind the front at the nearest "
+                        "of Probes/Points",
                         "-",
                         unknown,
                         0.1,
@@ -58,7 +59,8 @@ namespace
                         "Material/Equation of state"});
       result.push_back({"gravity",
                         "left out",
-                        "its speed over the gas speed at the farthest probe",
+                        "its speed over the gas speed at the farthest of "
+                        "Probes/Points",
                         "-",
                         unknown,
                         0.05,

@@ -105,6 +105,8 @@ class Files:
         # expected_injuries().
         self.coarser = {row["measure"]: float(row["value"]) for row in
                         read_rows(output, COARSER[1], "injury.csv")}
+        self.cut_alone = cut_names(output, *COARSER) - cut_names(
+            output, "blast", "biomechanics")
         self.coarser_places, skin = gauges_of(output, COARSER[0])
         self._lungs_by_the_skin(skin)
         self.coarser.update({
@@ -257,6 +259,19 @@ def gauges_of(output, stage):
     return places, skin
 
 
+def cut_names(output, blast, body):
+    """Names of measures that the end of a run cuts off."""
+    names = set()
+    for stage, name in ((blast, "gauge_injury.csv"), (blast, "probe_injury.csv"),
+                        (body, "injury.csv")):
+        if os.path.exists(os.path.join(output, stage, name)):
+            names |= {OF_SKIN.get((row["measure"], row.get("place")),
+                                  row["measure"])
+                      for row in read_rows(output, stage, name)
+                      if float(row.get("cut off [-]", 0.)) > 0.}
+    return names
+
+
 def of_skin(skin, side):
     """By title: the value of an injury at the gauges, of chest and back at one
     side, or at the probe next to the body, and its name."""
@@ -320,7 +335,7 @@ def require_error(text, title, name, value, files):
     """The error that a text has is that of the coarser run; a value of zero has
     that run's value."""
     other = files.coarser.get(name)
-    if value == 0. and other is not None:
+    if value == 0. and other is not None and name not in files.cut_alone:
         if other == 0.:
             require(text.endswith("in the coarser run, too"),
                     f"{title}: {text}")
@@ -385,7 +400,7 @@ def _error(name, value, files):
     0.7 and at least 2 %; what depends on the chest's peak differs by at least
     as much as its error, what happens in the body by that of its impulse, a
     probability by the error of what it follows from."""
-    if name not in files.coarser or value == 0.:
+    if name not in files.coarser or value == 0. or name in files.cut_alone:
         return None
     if name.endswith("ear"):
         return _gauge_errors(files, "peak").get(name)

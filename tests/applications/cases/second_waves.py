@@ -29,6 +29,26 @@ def first_dip(times, values, arrival, phase, peak):
     return None
 
 
+def last_wave(times, values, arrival, phase, peak):
+    """Time from the arrival to the last top within the positive phase that
+    follows a fall and a rise by SMALLEST at least, 0 without."""
+    last, top, low, has_dip = 0., (-math.inf, 0.), None, False
+    for time, value in zip(times, values):
+        if not arrival <= time <= arrival + phase:
+            continue
+        if low is None:
+            if value > top[0]:
+                top = value, time
+            elif top[0] - value > SMALLEST * peak:
+                last = top[1] - arrival if has_dip else 0.
+                low = value
+        elif value < low:
+            low = value
+        elif value - low > SMALLEST * peak:
+            top, low, has_dip = (value, time), None, True
+    return last
+
+
 def least_phase(waves):
     """Least phase by the arguments of first_dip() in both runs, None for a run
     without; None where the phase stands."""
@@ -55,14 +75,11 @@ def of_skin(output, places, coarser_places):
 
 
 def of_fewer_waves(output, places, coarser_places):
-    """Gauges whose phase ends before the second wave that the coarser run has in
+    """Gauges whose phase ends before the last wave that the coarser run has in
     it."""
-    found = set()
-    for name, (fine, coarse) in _waves(output, places, coarser_places):
-        dip = coarse and first_dip(*coarse)
-        if dip and not first_dip(*fine) and fine[3] <= dip[0]:
-            found.add(name)
-    return found
+    return {name for name, (fine, coarse) in _waves(
+        output, places, coarser_places)
+            if coarse and last_wave(*coarse) > fine[3]}
 
 
 def _waves(output, places, coarser_places):
