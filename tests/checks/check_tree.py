@@ -52,8 +52,8 @@ PLOT_MODULES = ["readers", "analysis", "figures", "report", "commands"]
 LONGEST_TEXTS = {"README.md": 200, "CONTRIBUTING.md": 150}
 LARGEST_MEDIAN = 100  # of files of the library
 # Lines that folders may have; a change that needs more says why.
-MOST_LINES = {("include", "source"): 136_500, ("applications",): 13_800,
-              ("tests",): 71_000}
+MOST_LINES = {("include", "source"): 135_500, ("applications",): 13_700,
+              ("tests",): 68_500}
 LONGEST_HEADER = 250
 LONGEST_SOURCE = 500
 LONGEST_MAIN = 40
