@@ -167,12 +167,18 @@ def _at_least(error, least):
 def _share_errors(judged):
     """Both extremes of the brain's pressure have the larger relative error of
     the two, since one of them may agree by chance; so have both measures of
-    tension."""
+    tension, unknown where they are zero and only the error of the minimum
+    pressure reaches tension."""
     for names in (PRESSURES, TENSIONS):
         entries = [entry for entry in judged if entry.name in names
                    and entry.error is not None and entry.value]
         for entry in entries:
             entry.error = max(other.error for other in entries)
+    lowest = find(judged, PRESSURES[1])
+    for entry in judged:
+        if entry.name in TENSIONS and not entry.value \
+                and lowest is not None and lowest.is_certain() is False:
+            entry.error = None
 
 
 def loaded_side(scene):
