@@ -40,8 +40,8 @@ class FieldContact
 public:
   /**
    * @param field_of_material by material
-   * @param half_spacing distance from a particle to its face if its box is full
-   * [m]
+   * @param half_spacing distance from a particle to its face if it fills its
+   * box [m]
    * @param box_volume volume of such a particle [m^3]
    * @param friction Coulomb's coefficient of FieldInterface::contact [-]
    */
@@ -69,7 +69,7 @@ public:
    * Applies the contact impulses to the velocities of owned nodes.
    * @param velocities by field; the components @p first to @p first + 2 are
    * used
-   * @return sum of the magnitudes of the impulses [N s]
+   * @return sum of the magnitudes of the impulses on this rank [N s]
    */
   double apply(const std::vector<NodeValues *> &velocities,
                const unsigned int first,
@@ -82,7 +82,7 @@ private:
     std::array<unsigned int, 2> fields;
     NodeValues normals{
       3}; ///< from the first field to the second; zero: no contact at this node
-    NodeValues gaps{1}; ///< between the surfaces [m]
+    NodeValues gaps{1}; ///< between the surfaces; contact if not positive [m]
   };
 
   /// Finds the tiles of this rank whose windows contain nodes shared by fields.

@@ -24,19 +24,20 @@ public:
   /**
    * Finds the application in the folder of this program, or at @p name if the
    * name contains a "/".
-   * @throws InputError, listing the available names, if there is none
+   * @throws InputError with the nearest name if there is none
    */
   ApplicationUnderStudy(const std::string &name,
                         const std::string &parameter_file,
                         unsigned int ranks);
 
-  /// Entries of the parameter file after applying @p settings.
+  /// All entries of the application with their values after the parameter file
+  /// and @p settings; starts the program.
   /// @throws InputError with the application's message when it refuses an
   /// entry or a value
   EntryList entries(const Settings &settings) const;
 
   /// The application's message about a command that failed.
-  /// @throws SystemError when the machine failed
+  /// @throws SystemError if a signal ended it, or the system failed
   std::string refusal(const ProcessText &text) const;
 
   /// Command line of a run, with mpirun for several ranks.

@@ -13,9 +13,9 @@ namespace contrecoup::ale
  * compared with the closed-form solution. The shell is centred at the origin
  * and moves along -z. Pressures oscillate about the half sine of the contact,
  * so the amplitude of the half sine is compared: 2 / T integral_0^T p sin(pi t
- * / T) dt, with the contact time T of the closed form. The amplitude of the
- * contact force is defined alike; divided by the mass it gives the
- * acceleration of the liquid in the run.
+ * / T) dt, with the contact time T of the closed form. The contact force is
+ * projected in the same way; divided by the mass it gives the acceleration of
+ * the liquid in the run.
  */
 class ShellPressures
 {
@@ -29,10 +29,12 @@ public:
   {}
 
   /// Adds a completed step of size @p step [s] to the integrals.
-  /// @param probes cells or HexSpace::no_cell
-  /// @param peaks amplitudes, positive and negative, of the pressure at each
-  /// probe [Pa] and, as the last entry, of the force of all planes [N]
-  /// @throws InputError for an odd number of probes. Collective.
+  /// Collective.
+  /// @param probes cells or HexSpace::no_cell, in opposite pairs: 0 and 1, 2
+  /// and 3 and so on; Reference checks that their number is even
+  /// @param peaks sums over the steps of positive and of negative parts, whose
+  /// difference is the amplitude: of the pressure at each probe [Pa] and, as
+  /// the last entry, of the force of all planes [N]
   void follow(const HexSpace &space,
               const LagrangeStep &lagrange,
               const AleState &state,

@@ -12,7 +12,8 @@
 
 namespace contrecoup::ale
 {
-/// Riemann problem of two ideal gases, separated by a plane normal to x.
+/// Riemann problem of an ideal gas with two initial states, on both sides of a
+/// plane normal to x.
 class ShockTubeFlow : public ExactFlow
 {
 public:

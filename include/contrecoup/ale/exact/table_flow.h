@@ -12,7 +12,9 @@
 
 namespace contrecoup::ale
 {
-/// Radial flow about the origin, tabulated at the time of the comparison.
+/// Radial flow about the origin at the end time, from a table of radius [m],
+/// density [kg/m^3], radial velocity [m/s] and pressure [Pa]; value() ignores
+/// the time.
 class TableFlow : public ExactFlow
 {
 public:

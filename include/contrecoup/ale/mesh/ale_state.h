@@ -32,15 +32,15 @@ struct AleState
   /// mass fraction of explosive products by cell [-]
   dealii::AlignedVector<double> products;
 
-  /// Relaxed strains of viscoelastic solids [-]: six components, each for all
-  /// cells in a row; empty without relaxation.
+  /// Relaxed strains of viscoelastic solids [-]: component k of cell c is at k
+  /// times the number of cells plus c; empty without relaxation.
   dealii::AlignedVector<double> relaxed;
 
   double time = 0.; ///< [s]
 
-  /// The wedge that the mesh forms. In a wedge, initial nodal masses are
-  /// weighted by trilinear shape functions; otherwise each node gets an eighth
-  /// of each adjacent cell's mass.
+  /// Wedge of an axisymmetric mesh; inactive for a mesh of the whole. In a
+  /// wedge, initial nodal masses are weighted by trilinear shape functions;
+  /// otherwise each node gets an eighth of each adjacent cell's mass.
   HexWedge wedge;
 };
 } // namespace contrecoup::ale

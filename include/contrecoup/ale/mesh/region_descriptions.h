@@ -17,7 +17,7 @@
 namespace contrecoup::ale
 {
 /// Initial contents of the mesh: subsections "Region *" with location,
-/// material and state. Later regions win.
+/// material and state. Where regions overlap, the last one in the file applies.
 class RegionDescriptions
 {
 public:
@@ -35,7 +35,9 @@ public:
   void set_regions(dealii::Triangulation<3> &mesh,
                    const MeshLayers &layers) const;
 
-  /// Sets masses, energies and velocities at the present positions.
+  /// Sets mass, energy and products of each cell and the velocity of each node
+  /// from the positions in @p state; nodes that regions share get the mean
+  /// velocity by mass. Relaxed strains are zero.
   /// @throws InputError for an unphysical state
   void fill(const HexSpace &space, AleState &state) const;
 
@@ -49,20 +51,21 @@ public:
   /// where velocity depends on the place.
   dealii::Tensor<1, 3> fastest_velocity() const;
 
-  /// Largest value of each component of the initial velocities [m/s];
-  /// evaluated at the origin where velocity depends on the place.
+  /// Largest magnitude of each component of the initial velocities of all
+  /// regions [m/s]; evaluated at the origin where velocity depends on the
+  /// place.
   dealii::Tensor<1, 3> largest_components() const;
 
   /// Whether location or state of any region depends on the place.
   bool depends_on_place() const;
 
-  /// The region at a point of a layer; density_at() gives its density
-  /// [kg/m^3].
-  /// @throws InputError where there is no region, and for an unphysical state
+  /// The region at a point of a layer. @throws InputError for no region
   const Region &region_at(const dealii::Point<3> &place,
                           const MeshLayer &layer) const;
   /// Number of the region at a point, or -1.
   int find_region(const dealii::Point<3> &place, const MeshLayer &layer) const;
+  /// Density at a point of a layer [kg/m^3]. @throws InputError for no region,
+  /// and for an unphysical state
   double density_at(const dealii::Point<3> &place,
                     const MeshLayer &layer) const;
 
@@ -82,10 +85,9 @@ public:
   /// Whether the velocity of any region depends on the place.
   bool velocity_depends_on_place() const;
 
-  /// Refuses regions that select nothing.
   /// @param counts of what each region selects
-  /// @param object selected, in the singular
-  /// @throws InputError
+  /// @param object what is counted, in the singular, for the message
+  /// @throws InputError for a region that selects nothing
   void require_some(const std::vector<std::uint64_t> &counts,
                     const std::string &object) const;
 

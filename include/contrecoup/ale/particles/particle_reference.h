@@ -23,7 +23,7 @@
 
 namespace contrecoup::ale
 {
-/// Course of a front. Plain data, written to checkpoints.
+/// Course of a material front. Plain data, written to checkpoints.
 struct FrontRecord
 {
   double time = 0.;          ///< of the last step [s]
@@ -34,7 +34,7 @@ struct FrontRecord
 };
 
 /**
- * Reference solutions for a run with particles: subsection "Reference".
+ * The reference solution of a run with particles: subsection "Reference".
  * Declares "Expressions", "Front", "Extent *" and "Probe displacements";
  * ale::Reference declares the flows.
  */
@@ -71,8 +71,8 @@ public:
    * Errors. Expressions: mean absolute errors, weighted with undeformed
    * volume, of displacement, velocity and pressure at initial positions;
    * flows: the same of density, velocity and pressure at present positions;
-   * front: mean absolute errors of its position at known times that have
-   * passed; extents: relative errors; probes: errors of displacement.
+   * front: mean and largest absolute error of its position at known times that
+   * have passed; extents: relative errors; probes: errors of displacement.
    * Collective.
    */
   std::vector<NamedValue>

@@ -28,7 +28,7 @@ public:
   /**
    * Adds a flow through a face.
    * @param volume gained by the inner cell of @p face [m^3]
-   * @param donor the cell that loses it
+   * @param donor the cell that loses this volume
    * @param carried gain of the inner cell: mass, and mass times each other
    * field
    */
@@ -38,7 +38,8 @@ public:
            const double *carried);
 
   /**
-   * Limits all flows. Collective.
+   * Limits all flows, as donor() and carried() then give them, in the order of
+   * add(). Collective.
    * @param fields of all cells before the remap, including ghost copies
    * @param masses of the cells before the remap [kg]
    */
@@ -82,8 +83,9 @@ private:
                     std::vector<double> &contents) const;
 
   /**
-   * Computes the capacity of owned cells: from their low-order contents @p low
-   * to size times the largest, and the smallest, neighbouring value.
+   * Computes the capacity of owned cells: how much each may still gain, and
+   * lose, beyond its low-order contents @p low before its value leaves the
+   * range of itself and its neighbours.
    * @param sizes volumes or masses after the remap
    * @param first field of the first number in @p low
    */

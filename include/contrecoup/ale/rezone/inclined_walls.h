@@ -12,7 +12,8 @@
 
 namespace contrecoup::ale
 {
-/// Flat slip walls that are normal to no coordinate axis.
+/// Boundaries with slip that have a face which is normal to no coordinate axis;
+/// nodes slide only where such a boundary is flat.
 class InclinedWalls
 {
 public:
@@ -34,13 +35,14 @@ public:
     return static_cast<unsigned int>(normals_.size());
   }
 
-  /// The wall of a face, or `none` if the wall is not flat around this corner.
+  /// Number of the inclined wall of a face; `none` if the face is on no
+  /// inclined wall, or the wall is not flat at this corner.
   unsigned int wall_around(const HexSpace::Face &face,
                            const unsigned int corner) const;
 
   /**
    * Constrains a node to slide along some of the walls.
-   * @param is_along positive for these walls, by wall
+   * @param is_along by wall: positive if the node slides along it
    * @param is_prescribed components of the node; set where the walls leave no
    * freedom
    */

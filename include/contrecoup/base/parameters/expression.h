@@ -16,14 +16,14 @@ class Expression
 {
 public:
   /// @param entry path of the parameter entry, for error messages
-  /// @throws InputError for invalid syntax, and if the value is always nan or
-  /// infinite
+  /// @throws InputError for invalid syntax, and for a constant expression that
+  /// is not finite
   Expression(const std::string &entry, const std::string &text);
 
   /// Evaluates the expression. @throws InputError when the value is not finite
   double value(const dealii::Point<3> &point, double time = 0.) const;
 
-  /// Whether the text is the number 0.
+  /// Whether the text is "0"; "0.0" is not.
   bool is_zero() const
   {
     return text_ == "0";

@@ -9,8 +9,8 @@
 
 namespace contrecoup
 {
-/// Steps and adapts a solver that is set up until its time is @p end [s], as a
-/// RunLoop does, but without output. Collective.
+/// Advances a solver, after its setup(), to the time @p end [s] and adapts it
+/// after each step, as RunLoop does, without output. Collective.
 /// @return number of steps
 /// @throws NumericsError when no step size gives a physical state
 std::uint64_t advance_to(Simulation &simulation, const double end);

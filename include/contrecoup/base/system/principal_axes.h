@@ -13,8 +13,8 @@ namespace contrecoup
 {
 /**
  * Eigenvalues of a symmetric tensor, the largest first, each with a unit
- * eigenvector, whose sign is open, by LAPACK. dealii::eigenvectors() has them,
- * too, but clang does not find those of a deal.II that g++ built.
+ * eigenvector of arbitrary sign, by LAPACK. dealii::eigenvectors() does the
+ * same, but what clang compiles does not link with that of a deal.II by g++.
  *
  * @throws dealii::LACExceptions::ExcLAPACKError for entries that are not finite
  */

@@ -7,8 +7,8 @@
 
 namespace contrecoup
 {
-/// A remark as a line below another one, indented, unless it is a warning,
-/// which Log knows by its beginning.
+/// Indents a remark below the line that it belongs to. Warnings stay as they
+/// are: Log recognises them by their beginning.
 inline std::string remark_line(const std::string &remark)
 {
   return remark.compare(0, 9, "WARNING: ") == 0 ? remark : "  " + remark;

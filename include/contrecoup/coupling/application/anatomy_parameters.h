@@ -39,14 +39,13 @@ namespace coupling
     bool draw = true;
   };
 
-  /// Reads the tissues of the user's own of subsection "Tissues", before names
-  /// of tissues are read elsewhere. @throws InputError for bad entries and for
-  /// properties that no stable solid has, also with the values of the set
+  /// Reads the user's tissues of subsection "Tissues". Call it first: it makes
+  /// new names known. @throws InputError for bad entries, and for a tissue that
+  /// is no stable solid, with the set's values where it has no entry
   OwnTissues read_own_tissues(dealii::ParameterHandler &prm);
 
-  /// @throws InputError for a tissue with entries of its own in subsection
-  /// "Tissues" that no part of the body has, and for a new tissue of the body
-  /// without entries
+  /// Requires that each of the user's tissues belongs to a part of the body,
+  /// and that each new tissue of the body has entries. @throws InputError
   void require_parts(const OwnTissues &tissues, const Body &body);
 } // namespace coupling
 } // namespace contrecoup

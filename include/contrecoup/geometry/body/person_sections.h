@@ -27,13 +27,13 @@ struct Limb
 };
 
 /**
- * The warp of each region from a standing person to another one, by sections at
- * places that correspond to each other: legs from the soles to where they join
- * (of who sits, lower legs to the knees and thighs from there to the hips), the
- * trunk from there to the neck and to both ends of the cranium, arms from the
- * trunk to their tips. Hands and feet have the directions of their largest
- * width, which turns gradually towards them. An arm that either of them lacks
- * follows the trunk, scaled as that is at the shoulders.
+ * The warp of each region from a standing person to one who stands or sits, by
+ * sections at places that correspond to each other: legs from the soles to
+ * where they join (of a seated person, lower legs to the knees and thighs from
+ * there to the hips), the trunk from there to the neck and to both ends of the
+ * cranium, arms from the trunk to their tips. Hands and feet are turned to
+ * their widest direction; the turn grows gradually along forearm and shin. If
+ * either person lacks an arm, its warp is that of the trunk.
  */
 std::array<SectionWarp, n_regions> warp_between(const PersonRegions &from,
                                                 const PersonRegions &to);

@@ -34,17 +34,18 @@ public:
   /// Signed distance at @p point, or a value of smaller magnitude [m].
   virtual double value(const dealii::Point<3> &point) const = 0;
 
-  /// Gradient of value() [-], which points outwards; one of several where it
-  /// is not unique. Central differences unless overridden.
+  /// Gradient of value() [-], which points outwards. By default from central
+  /// differences: where the gradient is not unique, the mean of those of both
+  /// sides, which may be near 0.
   virtual dealii::Tensor<1, 3> gradient(const dealii::Point<3> &point) const;
 
   /// Axis-aligned bounding box [m].
   virtual dealii::BoundingBox<3> bounding_box() const = 0;
 
-  /// Largest coordinate of a point of the shape along @p direction, of length 1
-  /// [m]. By a search among boxes unless overridden: never too small, and too
-  /// large by at most 1e-4 of the diagonal of bounding_box(), or by little more
-  /// where the search would take long.
+  /// Largest coordinate of a point of the shape along the unit vector @p
+  /// direction [m]. By a search among boxes unless overridden: never too small,
+  /// and too large by at most 1e-4 of the diagonal of bounding_box(), or by
+  /// little more where the search would take long.
   virtual double reach(const dealii::Tensor<1, 3> &direction) const;
 
   /// Outward unit normal of the level set of value() at a point.
@@ -62,8 +63,8 @@ public:
   double distance(const dealii::Point<3> &point) const;
 
 private:
-  /// From a point of the surface along it to that which is the nearest to @p
-  /// point in its surroundings.
+  /// Moves @p foot along the surface to the local minimum of the distance from
+  /// @p point.
   dealii::Point<3> slide_to(const dealii::Point<3> &point,
                             dealii::Point<3> foot) const;
 };

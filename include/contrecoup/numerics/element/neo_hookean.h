@@ -7,7 +7,8 @@
 
 namespace contrecoup
 {
-/// Strain energy functions of a neo-Hookean solid.
+/// Strain energy functions of a neo-Hookean solid, with C = F^T F and J = det
+/// F.
 enum class NeoHookeanForm
 {
   /// G / 2 (J^(-2/3) tr C - 3) + K / 2 (J - 1)^2, as in solid_law.h.
@@ -22,7 +23,7 @@ struct NeoHookean
 {
   double density = 1000.; ///< undeformed [kg/m^3]
   double shear = 384.615; ///< G [Pa]
-  double bulk = 833.333;  ///< K, lambda = K - 2 G / 3 [Pa]
+  double bulk = 833.333;  ///< K [Pa]; lambda is K - 2 G / 3
   NeoHookeanForm form = NeoHookeanForm::split;
 
   /// Strain energy per undeformed volume [J/m^3].

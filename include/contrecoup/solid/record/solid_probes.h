@@ -19,9 +19,10 @@ struct ProbeQuantity
 };
 
 /// The columns: displacement and velocity of the nearest node; pressure, von
-/// Mises stress, largest principal strain and the six stress components of the
-/// nearest element; and the pressure of that element, averaged as by
-/// TissueAverage over its neighbours in the same tissue.
+/// Mises stress, largest principal strain and the six stress components xx, yy,
+/// zz, xy, yz and zx of the element with the nearest centre; and the pressure
+/// of that element, averaged as by TissueAverage over its neighbours in the
+/// same tissue.
 const std::vector<ProbeQuantity> &probe_quantities();
 
 /// Probes in the body, subsection "Probes", and statistics of their signals
@@ -43,7 +44,7 @@ public:
 
   /// Finds the node and the element nearest to each probe.
   /// @throws InputError on all ranks for a probe outside of the body, by more
-  /// than half an element: stairs of voxels are that far from a surface
+  /// than half an element, as far as stairs of voxels may be from the surface
   void check(const SolidMesh &mesh, MPI_Comm communicator) override;
 
   void reinit(const SolidBody<Real> &body) override
@@ -55,8 +56,7 @@ public:
     record(body);
   }
 
-  /// Updates the measures; without any, probes are read where they are
-  /// written.
+  /// Updates the measures; without any, values() reads the probes.
   void record(const SolidBody<Real> &body) override
   {
     if (!measures_.empty())
@@ -66,7 +66,8 @@ public:
   /// Values at the present, named "probe_1_pressure" and so on.
   std::vector<NamedValue> values(const SolidBody<Real> &body);
 
-  /// Results of the measures, by name; NaN: gaps() tell why.
+  /// Results of the measures, by name; NaN if one has none, and gaps() tells
+  /// why.
   std::vector<NamedValue> results(const SolidBody<Real> &body) const override;
 
   /// A line for each measure that has no value.
