@@ -302,8 +302,7 @@ namespace io
       if (!knows_steps(trials, adapts, prm))
         cost.steps = 0.;
       if (adapts && !knows_cells(trials))
-        cost.cells = cost.unknowns = cost.steps = cost.memory = cost.output =
-          0.;
+        cost.cells = cost.unknowns = cost.memory = cost.output = 0.;
       if (!(cost.steps > 0.) || !(cost.cells > 0.))
         cost.seconds = 0.;
     }
