@@ -23,8 +23,8 @@ PEOPLE = {
                         "half of the eardrums would rupture"),
     "peak_overpressure": ("peak_overpressure", "peak overpressure",
                           4. * injury_maps.PSI, "4 psi are exceeded")}
-# Places whose lungs are known, as mapped_injury_values() in C++ has them: part of
-# the impulse in a simple wave, and probabilities of death.
+# Limits by which mapped_injury_values() in C++ knows lungs: part of the impulse in
+# a simple wave, and probabilities of death.
 SIMPLE, CERTAIN, HARMLESS = 0.75, 0.99, 1e-3
 SEEN_BARE = 2e-3  # part of a view, above which a hole is seen
 

@@ -15,7 +15,8 @@
 
 namespace contrecoup::ale
 {
-/// What a parameter file says of an impact, whichever method computes it.
+/// The entries of an impact that both methods share, moving meshes and
+/// particles.
 struct ImpactScene
 {
   static void declare_parameters(dealii::ParameterHandler &prm);

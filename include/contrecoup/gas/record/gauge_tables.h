@@ -92,11 +92,10 @@ std::array<double, 5> air_injury_values(const AirBlast &air,
                                         const double body_mass);
 
 /**
- * The same in maps, where the probability of death stands for itself: not a
- * number, too, where the first wave has at most 0.75 of the impulse, unless it
- * exceeds 0.99. Where it is unknown by this or because the blast is cut off,
- * but an endless phase would not raise it above 1e-3, it is that of such a
- * phase.
+ * air_injury_values() for maps: the probability of death is not a number, too,
+ * where the first wave has at most 0.75 of the impulse, unless it exceeds 0.99.
+ * Where it is unknown for this reason, or because the blast is cut off, it is
+ * that of an endless phase if this is below 1e-3.
  */
 std::array<double, 5> mapped_injury_values(const AirBlast &air,
                                            const double body_mass);

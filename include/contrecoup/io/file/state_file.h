@@ -95,7 +95,7 @@ public:
   /// @throws InputError that names the file, as one of another scene
   [[noreturn]] void refuse() const;
 
-  /// All functions throw InputError when the file ends before.
+  /// All functions from here on throw InputError if the file ends too early.
   void take_bytes(void *to, const std::size_t n);
 
   template <typename Value>
