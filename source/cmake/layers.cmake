@@ -1,10 +1,15 @@
-# contrecoup_add_layer(<name> [DEPENDS <lower layer>...])
+# contrecoup_add_layer(<name> [DEPENDS <lower layer>...] [MODULES <folder>...]
+#   [ALONE <folder or source>...])
 #
 # One shared library per layer, contrecoup_<name>, in build/lib; a program need
 # not be linked again where only the inside of a layer changes. The precompiled
-# header is compiled once, by the lowest layer.
+# header is compiled once, by the lowest layer. The sources are those in the folders
+# of the modules, lowest first, or else those beside the CMakeLists.txt. The compiler
+# reads the sources of a folder as one, which halves its work; names in their unnamed
+# namespaces must differ. It reads those of ALONE one by one: kernels, whose code must
+# not depend on what else is there, and parts of one class template.
 function(contrecoup_add_layer name)
-  cmake_parse_arguments(ARG "" "" "DEPENDS" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "DEPENDS;MODULES;ALONE" ${ARGN})
   set(target contrecoup_${name})
   add_library(${target} SHARED)
   contrecoup_setup_target(${target})
@@ -22,22 +27,26 @@ function(contrecoup_add_layer name)
   foreach(_lower ${ARG_DEPENDS})
     target_link_libraries(${target} contrecoup_${_lower})
   endforeach()
+  if(NOT ARG_MODULES)
+    set(ARG_MODULES .)
+  endif()
+  foreach(_module ${ARG_MODULES})
+    contrecoup_add_sources(${target} ${_module} "${ARG_ALONE}")
+  endforeach()
 endfunction()
 
-# contrecoup_add_module(<layer> <source>... [ALONE <source>...]): sources of a layer
-# in their own folder. The compiler reads them as one, which halves its work;
-# names in their unnamed namespaces must differ. It reads those after ALONE one by
-# one: kernels, whose code must not depend on what else is there, and parts of one
-# class template.
-function(contrecoup_add_module layer)
-  cmake_parse_arguments(ARG "" "" "ALONE" ${ARGN})
-  set(_together ${ARG_UNPARSED_ARGUMENTS})
-  list(TRANSFORM _together PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
-  list(TRANSFORM ARG_ALONE PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
-  target_sources(contrecoup_${layer} PRIVATE ${_together} ${ARG_ALONE})
-  get_filename_component(_folder ${CMAKE_CURRENT_SOURCE_DIR} NAME)
-  set_source_files_properties(${_together} TARGET_DIRECTORY contrecoup_${layer}
-    PROPERTIES UNITY_GROUP ${_folder})
+# contrecoup_add_sources(<target> <folder> <list of what is compiled alone>)
+function(contrecoup_add_sources target folder alone)
+  file(GLOB _sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*.cc)
+  target_sources(${target} PRIVATE ${_sources})
+  if(folder IN_LIST alone)
+    return()
+  endif()
+  list(TRANSFORM alone PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
+  list(REMOVE_ITEM _sources ${alone})
+  get_filename_component(_group ${CMAKE_CURRENT_SOURCE_DIR}/${folder} NAME)
+  set_source_files_properties(${_sources} TARGET_DIRECTORY ${target}
+    PROPERTIES UNITY_GROUP ${_group})
 endfunction()
 
 # contrecoup_setup_target(<target>): includes, deal.II, flags, common header.

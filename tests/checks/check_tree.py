@@ -29,18 +29,24 @@ for _solver in ("gas", "solid", "mpm"):
 for _upper in ("ale", "coupling", "study"):
     BELOW[_upper] = BELOW["gas"] | {"gas", "solid", "mpm"}
 
-# The modules of a layer, lowest first: each may include itself and those before.
-MODULES = {"base": ["deal_ii", "lanes", "system", "parameters", "run"],
-         "numerics": ["scheme", "element", "exact", "injury"],
-         "geometry": ["image", "shape", "mesh", "body"],
-         "io": ["file", "run", "output", "application"],
-         "gas": ["octree", "state", "conditions", "explosive", "scene", "body",
-                 "stage", "galerkin", "finite_volume", "stepping", "record",
-                 "adaptation", "hand_over", "run"],
-         "solid": ["body", "boundary", "motion", "record", "injury", "run"],
-         "ale": ["mesh", "lagrange", "exact", "rezone", "head", "particles",
-                 "run"],
-         "coupling": ["first_stage", "task", "application", "scene"]}
+def _modules():
+    """The modules of each layer that has some, as CMake builds them, lowest
+    first: each may include itself and those before. A module with a library of
+    its own, which comes last there, is the lowest."""
+    source = os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir,
+                          os.pardir, "source")
+    found = {}
+    for layer in os.listdir(source):
+        lists = os.path.join(source, layer, "CMakeLists.txt")
+        if os.path.exists(lists):
+            with open(lists, encoding="utf-8") as file:
+                names = re.findall(r"MODULES\s([a-z_\s]*)", file.read())
+            if names:
+                found[layer] = " ".join(reversed(names)).split()
+    return found
+
+
+MODULES = _modules()
 
 # Texts about the code; the first has the modules of its layers.
 GUIDES = [os.path.join("source", "README.md"), "CONTRIBUTING.md"]
@@ -177,7 +183,7 @@ def plot_modules(root):
     for here, folders, names in os.walk(os.path.join(root, package)):
         folders[:] = sorted(set(folders) - {"__pycache__"})
         module = os.path.relpath(here, os.path.join(root, package))
-        if module == ".":
+        if module == "." or not any(name.endswith(".py") for name in names):
             continue
         if module not in PLOT_MODULES:
             problems.append(f"{package}/{module}: not a module, known are: "
@@ -306,22 +312,28 @@ def unnamed_functions(lines):
 def overloads(root):
     """Sources of a folder, which the compiler reads as one, hide no overloads from
     each other: the order of the sources would decide which one is called."""
-    call = re.compile(r"contrecoup_add_module\(\w+\s([^)]*)\)")
     problems = []
-    for folder, _, names in os.walk(os.path.join(root, "source")):
-        if "CMakeLists.txt" not in names:
+    for layer in sorted(os.listdir(os.path.join(root, "source"))):
+        lists = os.path.join("source", layer, "CMakeLists.txt")
+        if not os.path.exists(os.path.join(root, lists)):
             continue
-        here = os.path.relpath(folder, root)
-        text = "\n".join(lines_of(root, os.path.join(here, "CMakeLists.txt")))
-        for sources in call.findall(text):
+        call = re.search(r"ALONE\s([^)]*)\)", "\n".join(lines_of(root, lists)))
+        alone = call[1].split() if call else []
+        for folder, _, names in os.walk(os.path.join(root, "source", layer)):
+            here = os.path.relpath(folder, root)
+            module = os.path.relpath(here, os.path.join("source", layer))
             first = {}
-            for source in sources.split("ALONE")[0].split():
-                path = os.path.join(here, source)
-                for name in sorted(unnamed_functions(lines_of(root, path))):
-                    if name in first:
-                        problems.append(f"{path}: '{name}' is in the unnamed "
-                                        f"namespace of {first[name]}, too")
-                    first.setdefault(name, path)
+            for name in sorted(names):
+                path = os.path.normpath(os.path.join(module, name))
+                if not name.endswith(".cc") or {module, path} & set(alone):
+                    continue
+                path = os.path.join(here, name)
+                for function in sorted(unnamed_functions(lines_of(root, path))):
+                    if function in first:
+                        problems.append(
+                            f"{path}: '{function}' is in the unnamed namespace "
+                            f"of {first[function]}, too")
+                    first.setdefault(function, path)
     return problems
 
 

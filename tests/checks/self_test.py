@@ -173,11 +173,11 @@ class TreeTest(unittest.TestCase):
                         "  {\n    return *name;\n  }\n} // namespace\n")
         self.write("source/io/file/one.cc", hidden)
         self.write("source/io/file/two.cc", hidden.replace("char", "double"))
-        self.write("source/io/file/CMakeLists.txt",
-                   "contrecoup_add_module(io\n  one.cc\n  ALONE\n  two.cc)\n")
+        self.write("source/io/CMakeLists.txt",
+                   "contrecoup_add_layer(io\n  MODULES file\n  ALONE file/two.cc)\n")
         self.assertEqual(check_tree.overloads(self.root), [])
-        self.write("source/io/file/CMakeLists.txt",
-                   "contrecoup_add_module(io\n  one.cc\n  two.cc)\n")
+        self.write("source/io/CMakeLists.txt",
+                   "contrecoup_add_layer(io\n  MODULES file)\n")
         self.expect("overloads", "two.cc: 'number'", "one.cc")
 
     def test_missing_licence(self):
