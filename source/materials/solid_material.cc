@@ -12,21 +12,6 @@
 
 namespace contrecoup
 {
-const std::vector<std::string> &solid_kinematics_names()
-{
-  static const std::vector<std::string> names{
-    "small strain", "finite rotation", "neo-hookean"};
-  return names;
-}
-
-
-SolidKinematics find_solid_kinematics(const std::string &name)
-{
-  return static_cast<SolidKinematics>(
-    position_of(name, solid_kinematics_names(), "kinematics of solids"));
-}
-
-
 double SolidMaterial::relaxation_modulus(const double time) const
 {
   return instantaneous_shear +

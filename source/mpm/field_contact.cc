@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/system/names.h>
 #include <contrecoup/mpm/contact_kernels.h>
 #include <contrecoup/mpm/field_contact.h>
 
@@ -38,20 +37,6 @@ namespace
     return std::min(mass_a, mass_b) > smallest_fraction * (mass_a + mass_b);
   }
 } // namespace
-
-
-const std::vector<std::string> &field_interface_names()
-{
-  static const std::vector<std::string> names{"slip", "contact"};
-  return names;
-}
-
-
-FieldInterface find_field_interface(const std::string &name)
-{
-  return static_cast<FieldInterface>(
-    position_of(name, field_interface_names(), "interface of velocity fields"));
-}
 
 
 FieldContact::FieldContact(const unsigned int degree,

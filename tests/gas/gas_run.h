@@ -13,7 +13,6 @@
 #include <contrecoup/gas/record/gas_measures.h>
 #include <contrecoup/gas/record/recorder.h>
 #include <contrecoup/gas/state/leaf_sampling.h>
-#include <contrecoup/gas/stepping/make_gas_operator.h>
 #include <contrecoup/gas/stepping/time_stepper.h>
 
 #include "run_lines.h"
@@ -73,16 +72,15 @@ public:
     mesh.create(coarse_mesh, scheme.precision, scheme.cell_degree);
     mesh.triangulation().refine_global(coarse_mesh.initial_refinement());
     mesh.distribute();
-    gas_operator = make_gas_operator(mesh,
-                                     layout,
-                                     scheme,
-                                     material,
-                                     this->boundary,
-                                     body.empty() ? nullptr : &cut_leaves);
     quiet_leaves = std::make_unique<QuietLeaves<dim>>(
       mesh, QuietLeaves<dim>::parse_parameters(prm));
-    stepper = std::make_unique<TimeStepper<dim>>(
-      mesh, scheme, *gas_operator, *quiet_leaves);
+    stepper = make_time_stepper<dim>({mesh,
+                                      layout,
+                                      scheme,
+                                      this->boundary,
+                                      body.empty() ? nullptr : &cut_leaves},
+                                     material,
+                                     *quiet_leaves);
     adaptation = std::make_unique<Adaptation<dim>>(
       adaptation_parameters, mesh, points, material);
     if (!body.empty())
@@ -212,7 +210,6 @@ public:
   LeafMesh<dim> mesh;
   CutLeaves<dim> cut_leaves;
   GasField field;
-  std::unique_ptr<GasOperator<dim>> gas_operator;
   std::unique_ptr<QuietLeaves<dim>> quiet_leaves;
   std::unique_ptr<TimeStepper<dim>> stepper;
   std::unique_ptr<Adaptation<dim>> adaptation;

@@ -72,7 +72,9 @@ TEST(SolidMaterial, RefusesWhatIsNoSolid)
   material.check("brain");
   material.relaxing_shear = 50e3;
   EXPECT_THROW(material.check("brain"), InputError);
-  EXPECT_THROW(find_solid_kinematics("small strains"), InputError);
+  EXPECT_THROW(
+    find_choice(solid_kinematics, "small strains", "kinematics of solids"),
+    InputError);
 }
 
 

@@ -31,8 +31,8 @@ inline std::vector<TransferScheme> all_schemes(const unsigned int flip_terms,
 
 inline std::string scheme_name(const TransferScheme &scheme)
 {
-  return basis_names()[scheme.degree - 1] + " " +
-         transfer_names()[static_cast<int>(scheme.transfer)] + " " +
-         stress_update_names()[static_cast<int>(scheme.update)];
+  return std::string(bases[scheme.degree - 1].name) + " " +
+         transfers[static_cast<int>(scheme.transfer)].name + " " +
+         stress_updates[static_cast<int>(scheme.update)].name;
 }
 } // namespace contrecoup::mpm

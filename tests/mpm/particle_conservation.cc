@@ -214,7 +214,7 @@ TEST(ParticleConservation, sides_that_reflect_mirror_velocity_fields)
 {
   for (const auto interface : {FieldInterface::slip, FieldInterface::contact})
   {
-    SCOPED_TRACE(field_interface_names()[static_cast<int>(interface)]);
+    SCOPED_TRACE(field_interfaces[static_cast<int>(interface)].name);
     expect_mirrors({3, Transfer::flip, StressUpdate::modified_last, 2},
                    interface);
   }

@@ -263,7 +263,7 @@ TEST(ParticleExtremes, gels_swing_with_shear_alone_where_smoothed)
     for (const bool is_smoothed : {true, false})
     {
       const Swing swing = swing_of_gel(scheme, 1e6, is_smoothed, 6);
-      SCOPED_TRACE(basis_names()[scheme.degree - 1] +
+      SCOPED_TRACE(std::string(bases[scheme.degree - 1].name) +
                    (is_smoothed ? " smoothed" : ""));
       EXPECT_NEAR(swing.residual, 0., 1e-13);
       if (scheme.degree == 1)

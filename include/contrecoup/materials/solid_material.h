@@ -3,9 +3,11 @@
 
 #pragma once
 
+#include <contrecoup/base/system/names.h>
 #include <contrecoup/materials/gas_filled.h>
 #include <contrecoup/materials/tissue_library.h>
 
+#include <array>
 #include <complex>
 #include <string>
 #include <vector>
@@ -15,17 +17,22 @@ namespace contrecoup
 /// Kinematics of solids: strain measure and rotation of stresses.
 enum class SolidKinematics
 {
-  small_strain,    ///< linear in displacement; no rotations
-  finite_rotation, ///< Green-Lagrange strain: small strains, any rotation
-  neo_hookean      ///< large strains, any rotation
+  small_strain,
+  finite_rotation, ///< Green-Lagrange strain
+  neo_hookean
 };
 
-/// Names of the kinematics in parameter files, in the order of the
-/// enumeration.
-const std::vector<std::string> &solid_kinematics_names();
-
-/// @throws InputError that suggests the nearest name
-SolidKinematics find_solid_kinematics(const std::string &name);
+/// All kinematics of solids, for entry and help text.
+inline constexpr std::array<NamedChoice<SolidKinematics>, 3> solid_kinematics{
+  {{SolidKinematics::small_strain,
+    "small strain",
+    "is linear: a rotation by an angle a counts as a strain of a^2 / 2"},
+   {SolidKinematics::finite_rotation,
+    "finite rotation",
+    "is exact for any rotation with small strains"},
+   {SolidKinematics::neo_hookean,
+    "neo-hookean",
+    "takes large strains as well"}}};
 
 /// A tension that no matter reaches [Pa].
 inline constexpr double no_cavitation = 1e30;

@@ -3,12 +3,12 @@
 
 #pragma once
 
+#include <contrecoup/base/system/names.h>
 #include <contrecoup/mpm/node_values.h>
 #include <contrecoup/mpm/particles.h>
 #include <contrecoup/mpm/transfer_kernels.h>
 
 #include <array>
-#include <string>
 #include <vector>
 
 namespace contrecoup::mpm
@@ -16,16 +16,18 @@ namespace contrecoup::mpm
 /// Interaction of two velocity fields at an interface.
 enum class FieldInterface
 {
-  slip,    ///< no relative normal motion, free tangential motion
-  contact, ///< separation allowed; no penetration after contact of the
-           ///< surfaces; friction
+  slip,
+  contact
 };
 
-/// Names in parameter files, in the order of the enumeration.
-const std::vector<std::string> &field_interface_names();
-
-/// @throws InputError that suggests the most similar name
-FieldInterface find_field_interface(const std::string &name);
+/// All interfaces, for entry and help text.
+inline constexpr std::array<NamedChoice<FieldInterface>, 2> field_interfaces{
+  {{FieldInterface::slip,
+    "slip",
+    "allows tangential motion alone, without friction"},
+   {FieldInterface::contact,
+    "contact",
+    "allows separation as well, and friction in contact"}}};
 
 /**
  * Contact between velocity fields. At nodes where more than one field has mass,

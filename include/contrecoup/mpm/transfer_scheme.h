@@ -3,46 +3,53 @@
 
 #pragma once
 
+#include <contrecoup/base/system/names.h>
+
+#include <array>
 #include <cmath>
 #include <limits>
-#include <string>
-#include <vector>
 
 namespace contrecoup::mpm
 {
-/// Names of the splines of the background grid, in the order of their degree.
-const std::vector<std::string> &basis_names();
-
-/// 1, 2, 3 for linear, quadratic, cubic. @throws InputError that suggests the
-/// most similar name
-unsigned int find_basis(const std::string &name);
+/// All splines of the background grid by degree, for entry and help text.
+inline constexpr std::array<NamedChoice<unsigned int>, 3> bases{
+  {{1, "linear", "makes forces jump where particles cross cells"},
+   {2, "quadratic", "makes forces continuous"},
+   {3, "cubic", "makes them smooth"}}};
 
 /// Transfer of velocities from the nodes to the particles.
 enum class Transfer
 {
-  pic,    ///< nodes' velocity
-  flip,   ///< change of the nodal velocity; with a mass series, that of
-          ///< consistent masses
-  affine, ///< nodal velocity with its affine field (APIC)
-  fmpm    ///< nodal velocity, corrected by a series in the mass matrix (FMPM)
+  pic,
+  flip,   ///< with a mass series, that of consistent masses
+  affine, ///< APIC
+  fmpm    ///< series in the mass matrix, see TransferScheme::series_order
 };
+
+/// All transfers, for entry and help text.
+inline constexpr std::array<NamedChoice<Transfer>, 4> transfers{
+  {{Transfer::pic, "pic", "takes the nodal velocity"},
+   {Transfer::flip, "flip", "adds the change of the nodal velocity"},
+   {Transfer::affine, "apic", "takes the nodal velocity with its affine field"},
+   {Transfer::fmpm,
+    "fmpm",
+    "takes the nodal velocity, corrected by a series in the mass matrix"}}};
 
 /// Order of the stress update within a step.
 enum class StressUpdate
 {
-  first,         ///< with the velocity before the step (USF)
-  last,          ///< with the velocity after the step (USL)
-  modified_last, ///< with the velocity of the momentum of the moved particles
-                 ///< (MUSL)
+  first,
+  last,
+  modified_last
 };
 
-/// Names in parameter files, in the order of the enumerations.
-const std::vector<std::string> &transfer_names();
-const std::vector<std::string> &stress_update_names();
-
-/// @throws InputError that suggests the most similar name
-Transfer find_transfer(const std::string &name);
-StressUpdate find_stress_update(const std::string &name);
+/// All orders of the stress update, for entry and help text.
+inline constexpr std::array<NamedChoice<StressUpdate>, 3> stress_updates{
+  {{StressUpdate::first, "usf", "takes the velocity before the step"},
+   {StressUpdate::last, "usl", "takes the velocity after the step"},
+   {StressUpdate::modified_last,
+    "musl",
+    "takes the velocity of the momentum of the moved particles"}}};
 
 /// Parameters of the material point method.
 struct TransferScheme

@@ -134,7 +134,7 @@ namespace
       prm,
       "Kinematics",
       "finite rotation",
-      solid_kinematics_names(),
+      names_of(solid_kinematics),
       used_with(
         "Material = elastic, viscoelastic, tissue",
         "Strain measure of solids; johnson-cook is always neo-hookean."));
@@ -412,7 +412,8 @@ Region parse_region_material(ParameterHandler &prm, const std::string &name)
   region.viscosity = {read_double(prm, "Linear viscosity"),
                       read_double(prm, "Quadratic viscosity"),
                       read_double(prm, "Hourglass coefficient")};
-  region.kinematics = find_solid_kinematics(prm.get("Kinematics"));
+  region.kinematics = find_choice(
+    solid_kinematics, prm.get("Kinematics"), "kinematics of solids");
   region.slides = prm.get("Interface") == "slip";
   if (region.slides && region.solid() != nullptr)
     throw InputError("Region " + name +

@@ -48,8 +48,11 @@ namespace
       10.,
       "-",
       "Particles per cell along x, y and z; 2, 2, 2 puts 8 into a full cell.");
-    declare_selection(
-      prm, "Basis", "cubic", mpm::basis_names(), "B-splines of the grid.");
+    declare_selection(prm,
+                      "Basis",
+                      "cubic",
+                      names_of(mpm::bases),
+                      "B-splines of the grid: " + help_of(mpm::bases) + ".");
   }
 
   void declare_scheme(ParameterHandler &prm)
@@ -57,17 +60,15 @@ namespace
     declare_selection(prm,
                       "Transfer",
                       "flip",
-                      mpm::transfer_names(),
-                      "Update of particle velocities from the grid: nodal "
-                      "velocity (pic), its change (flip), affine (apic), or "
-                      "with the mass series (fmpm).");
-    declare_selection(prm,
-                      "Update",
-                      "musl",
-                      mpm::stress_update_names(),
-                      "Stress update with the velocity before the step "
-                      "(usf), after the step (usl), or from the momentum of "
-                      "moved particles (musl).");
+                      names_of(mpm::transfers),
+                      "Update of particle velocities from the grid: " +
+                        help_of(mpm::transfers) + ".");
+    declare_selection(
+      prm,
+      "Update",
+      "musl",
+      names_of(mpm::stress_updates),
+      "Velocity of the stress update: " + help_of(mpm::stress_updates) + ".");
     declare_integer(
       prm,
       "Series order",
@@ -140,9 +141,11 @@ void ParticleScene::parse_parameters(ParameterHandler &prm)
 {
   const Section section(prm, "MPM");
   cell_size_ = read_double(prm, "Cell size");
-  scheme_.degree = mpm::find_basis(prm.get("Basis"));
-  scheme_.transfer = mpm::find_transfer(prm.get("Transfer"));
-  scheme_.update = mpm::find_stress_update(prm.get("Update"));
+  scheme_.degree = find_choice(mpm::bases, prm.get("Basis"), "basis");
+  scheme_.transfer =
+    find_choice(mpm::transfers, prm.get("Transfer"), "transfer");
+  scheme_.update =
+    find_choice(mpm::stress_updates, prm.get("Update"), "update of stresses");
   scheme_.series_order = read_unsigned(prm, "Series order");
   scheme_.damping_time = read_double(prm, "Damping time");
   smoothing_ = prm.get("Smoothing");
@@ -299,7 +302,7 @@ mpm::FieldContact ParticleScene::field_contact() const
   return mpm::FieldContact(
     scheme_.degree,
     fields,
-    mpm::find_field_interface(fields_),
+    find_choice(mpm::field_interfaces, fields_, "interface of velocity fields"),
     half_spacing(),
     std::pow(cell_size_, 3) /
       (source_.per_cell[0] * source_.per_cell[1] * source_.per_cell[2]),

@@ -55,9 +55,10 @@ namespace
   /// @param kinematics as the user wrote it; empty: that of the scene
   Assumption strain(const std::string &kinematics)
   {
-    Assumption item = solid::strain_item(kinematics.empty()
-                                           ? SolidKinematics::finite_rotation
-                                           : find_solid_kinematics(kinematics));
+    Assumption item = solid::strain_item(
+      kinematics.empty()
+        ? SolidKinematics::finite_rotation
+        : find_choice(solid_kinematics, kinematics, "kinematics of solids"));
     item.entry = "Biomechanics/" + item.entry;
     return item;
   }

@@ -21,29 +21,26 @@ namespace
 
 template <int dim, typename Gas, typename Real>
 BatchSweep<dim, Gas, Real>::BatchSweep(
-  const LeafMesh<dim> &mesh,
-  const LeafLayout &layout,
-  const Scheme &scheme,
+  const OperatorContext<dim> &context,
   const Gas &gas,
-  const Boundary<dim> &boundary,
   PrimitiveField<dim, Gas, Real> &primitives)
-  : mesh_(mesh)
-  , layout_(layout)
-  , scheme_(scheme)
+  : mesh_(context.mesh)
+  , layout_(context.layout)
+  , scheme_(context.scheme)
   , gas_(gas)
   , primitives_(primitives)
-  , leaves_(mesh, layout, scheme, gas, boundary, subcell_centers(layout.n))
-  , rates_(nc * layout.n_points)
-  , subcells_((layout.n + 2 * n_beyond) * layout.n_face_points)
-  , compression_(dim * layout.n_points)
-  , compression_beyond_(2 * layout.n_face_points)
-  , hanging_flux_(2 * layout.n_face_points)
-  , line_half_slopes_(layout.n + 2)
-  , line_end_products_(layout.n + 2)
-  , line_compression_(layout.n + 2)
+  , leaves_(context, gas, subcell_centers(layout_.n))
+  , rates_(nc * layout_.n_points)
+  , subcells_((layout_.n + 2 * n_beyond) * layout_.n_face_points)
+  , compression_(dim * layout_.n_points)
+  , compression_beyond_(2 * layout_.n_face_points)
+  , hanging_flux_(2 * layout_.n_face_points)
+  , line_half_slopes_(layout_.n + 2)
+  , line_end_products_(layout_.n + 2)
+  , line_compression_(layout_.n + 2)
 {
-  line_.scheme = &scheme;
-  line_.n = layout.n;
+  line_.scheme = &context.scheme;
+  line_.n = layout_.n;
   line_.half_slopes = &line_half_slopes_[1];
   line_.end_products = &line_end_products_[1];
 }

@@ -36,21 +36,17 @@ struct EmbeddedKernel<dim, Gas, Real>::OpenFaces
 
 template <int dim, typename Gas, typename Real>
 EmbeddedKernel<dim, Gas, Real>::EmbeddedKernel(
-  const LeafMesh<dim> &mesh,
-  const LeafLayout &layout,
-  const Scheme &scheme,
+  const OperatorContext<dim> &context,
   const Gas &gas,
-  const Boundary<dim> &boundary,
-  const CutLeaves<dim> &cut_leaves,
   PrimitiveField<dim, Gas, Real> &primitives)
-  : mesh_(mesh)
-  , layout_(layout)
-  , scheme_(scheme)
+  : mesh_(context.mesh)
+  , layout_(context.layout)
+  , scheme_(context.scheme)
   , gas_(gas)
-  , cut_leaves_(cut_leaves)
-  , radial_(radial_exponent(mesh.coarse_mesh().geometry()), layout.n)
-  , sweep_(mesh, layout, scheme, gas, boundary, primitives)
-  , state_analysis_(mesh, layout, gas, sweep_.leaves())
+  , cut_leaves_(*context.cut_leaves)
+  , radial_(radial_exponent(context.mesh.coarse_mesh().geometry()), layout_.n)
+  , sweep_(context, gas, primitives)
+  , state_analysis_(context.mesh, context.layout, gas, sweep_.leaves())
 {}
 
 

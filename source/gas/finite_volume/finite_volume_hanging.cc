@@ -9,12 +9,11 @@ namespace contrecoup::gas
 {
 template <int dim, typename Gas, typename Real>
 FiniteVolumeHanging<dim, Gas, Real>::FiniteVolumeHanging(
-  const LeafLayout &layout,
-  const Scheme &scheme,
+  const OperatorContext<dim> &context,
   const Gas &gas,
   PrimitiveField<dim, Gas, Real> &primitives)
-  : Base(layout, scheme, gas, primitives)
-  , first_flux_(layout.n_face_points)
+  : Base(context, gas, primitives)
+  , first_flux_(layout_.n_face_points)
 {}
 
 

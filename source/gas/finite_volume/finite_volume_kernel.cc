@@ -9,18 +9,15 @@ namespace contrecoup::gas
 {
 template <int dim, typename Gas, typename Real>
 FiniteVolumeKernel<dim, Gas, Real>::FiniteVolumeKernel(
-  const LeafMesh<dim> &mesh,
-  const LeafLayout &layout,
-  const Scheme &scheme,
+  const OperatorContext<dim> &context,
   const Gas &gas,
-  const Boundary<dim> &boundary,
   PrimitiveField<dim, Gas, Real> &primitives)
-  : mesh_(mesh)
-  , layout_(layout)
+  : mesh_(context.mesh)
+  , layout_(context.layout)
   , gas_(gas)
-  , radial_(radial_exponent(mesh.coarse_mesh().geometry()), layout.n)
-  , sweep_(mesh, layout, scheme, gas, boundary, primitives)
-  , state_analysis_(mesh, layout, gas, sweep_.leaves())
+  , radial_(radial_exponent(context.mesh.coarse_mesh().geometry()), layout_.n)
+  , sweep_(context, gas, primitives)
+  , state_analysis_(context.mesh, context.layout, gas, sweep_.leaves())
 {}
 
 

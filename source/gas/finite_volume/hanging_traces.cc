@@ -10,34 +10,33 @@ namespace contrecoup::gas
 {
 template <int dim, typename Gas, typename Real>
 HangingTraces<dim, Gas, Real>::HangingTraces(
-  const LeafLayout &layout,
-  const Scheme &scheme,
+  const OperatorContext<dim> &context,
   const Gas &gas,
   PrimitiveField<dim, Gas, Real> &primitives)
-  : layout_(layout)
-  , scheme_(scheme)
+  : layout_(context.layout)
+  , scheme_(context.scheme)
   , gas_(gas)
   , primitives_(primitives)
-  , coarse_progress_(layout.n_face_points)
-  , coarse_flux_(layout.n_face_points)
-  , open_sum_(layout.n_face_points)
-  , open_mean_(layout.n_face_points)
-  , coarse_halo_(layout.n_face_points)
-  , writer_(layout.n_face_points)
+  , coarse_progress_(layout_.n_face_points)
+  , coarse_flux_(layout_.n_face_points)
+  , open_sum_(layout_.n_face_points)
+  , open_mean_(layout_.n_face_points)
+  , coarse_halo_(layout_.n_face_points)
+  , writer_(layout_.n_face_points)
 {
   for (auto &slope : coarse_slope_)
-    slope.resize(layout.n_face_points);
+    slope.resize(layout_.n_face_points);
   for (unsigned int layer = 0; layer < 2; ++layer)
   {
-    coarse_[layer].resize(layout.n_face_points);
+    coarse_[layer].resize(layout_.n_face_points);
     for (unsigned int part = 0; part < n_fine; ++part)
-      fine_[part][layer].resize(layout.n_face_points);
+      fine_[part][layer].resize(layout_.n_face_points);
   }
   for (unsigned int part = 0; part < n_fine; ++part)
   {
-    fine_progress_[part].resize(layout.n_face_points);
-    fine_halo_[part].resize(layout.n_face_points);
-    fine_flux_[part].resize(layout.n_face_points);
+    fine_progress_[part].resize(layout_.n_face_points);
+    fine_halo_[part].resize(layout_.n_face_points);
+    fine_flux_[part].resize(layout_.n_face_points);
   }
 }
 

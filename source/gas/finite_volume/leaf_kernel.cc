@@ -9,19 +9,16 @@
 namespace contrecoup::gas
 {
 template <int dim, typename Gas, typename Real>
-LeafKernel<dim, Gas, Real>::LeafKernel(const LeafMesh<dim> &mesh,
-                                       const LeafLayout &layout,
-                                       const Scheme &scheme,
+LeafKernel<dim, Gas, Real>::LeafKernel(const OperatorContext<dim> &context,
                                        const Gas &gas,
-                                       const Boundary<dim> &boundary,
                                        const std::vector<double> &positions)
-  : mesh_(mesh)
-  , layout_(layout)
-  , scheme_(scheme)
+  : mesh_(context.mesh)
+  , layout_(context.layout)
+  , scheme_(context.scheme)
   , gas_(gas)
-  , boundary_(boundary)
+  , boundary_(context.boundary)
   , positions_(positions)
-  , line_progress_(layout.n + 2)
+  , line_progress_(layout_.n + 2)
 {}
 
 
@@ -43,9 +40,8 @@ void LeafKernel<dim, Gas, Real>::bind(const unsigned int batch,
       neighbor_sensor_[face][lane] = stage.sensor[neighbors[lane]];
     any = std::max(any, neighbor_sensor_[face]);
   }
-  needs_shear_factor_ = dim > 1 &&
-                        scheme_.flux == RiemannFlux::hllc_shock_stable &&
-                        largest_lane(any) > 0.;
+  needs_shear_factor_ =
+    dim > 1 && has_shear_factor(scheme_.flux) && largest_lane(any) > 0.;
   bind_burn(batch, stage);
   find_leaving(any);
 }

@@ -8,58 +8,38 @@
 
 namespace contrecoup::gas
 {
-template <int dim>
-std::unique_ptr<GasOperator<dim>>
-make_finite_volume_operator(const LeafMesh<dim> &mesh,
-                            const LeafLayout &layout,
-                            const Scheme &scheme,
-                            const GasMaterial &material,
-                            const Boundary<dim> &boundary,
-                            const CutLeaves<dim> *cut_leaves)
+template <int dim, typename Real>
+std::unique_ptr<GasOperator<dim, Real>>
+make_finite_volume_operator(const OperatorContext<dim> &context,
+                            const GasMaterial &material)
 {
   return std::visit(
-    [&](const auto &gas) -> std::unique_ptr<GasOperator<dim>> {
+    [&](const auto &gas) -> std::unique_ptr<GasOperator<dim, Real>> {
       using Gas = std::decay_t<decltype(gas)>;
-      return visit_precision(
-        layout.precision,
-        [&](const auto real) -> std::unique_ptr<GasOperator<dim>> {
-          using Real = kernel_number<dim, std::decay_t<decltype(real)>>;
-          if constexpr (dim > 1)
-            if (!mesh.coarse_mesh().is_axis_aligned())
-              return std::make_unique<
-                MappedFiniteVolumeOperator<dim, Gas, Real>>(
-                mesh, layout, scheme, gas, boundary);
-          if constexpr (dim > 1)
-            if (cut_leaves != nullptr)
-              return std::make_unique<EmbeddedOperator<dim, Gas, Real>>(
-                mesh, layout, scheme, gas, boundary, *cut_leaves);
-          return std::make_unique<FiniteVolumeOperator<dim, Gas, Real>>(
-            mesh, layout, scheme, gas, boundary);
-        });
+      if constexpr (dim > 1)
+      {
+        if (!context.mesh.coarse_mesh().is_axis_aligned())
+          return std::make_unique<MappedFiniteVolumeOperator<dim, Gas, Real>>(
+            context, gas);
+        if (context.cut_leaves != nullptr)
+          return std::make_unique<EmbeddedOperator<dim, Gas, Real>>(context,
+                                                                    gas);
+      }
+      return std::make_unique<FiniteVolumeOperator<dim, Gas, Real>>(context,
+                                                                    gas);
     },
     material.model());
 }
 
 
-template std::unique_ptr<GasOperator<1>>
-make_finite_volume_operator(const LeafMesh<1> &,
-                            const LeafLayout &,
-                            const Scheme &,
-                            const GasMaterial &,
-                            const Boundary<1> &,
-                            const CutLeaves<1> *);
-template std::unique_ptr<GasOperator<2>>
-make_finite_volume_operator(const LeafMesh<2> &,
-                            const LeafLayout &,
-                            const Scheme &,
-                            const GasMaterial &,
-                            const Boundary<2> &,
-                            const CutLeaves<2> *);
-template std::unique_ptr<GasOperator<3>>
-make_finite_volume_operator(const LeafMesh<3> &,
-                            const LeafLayout &,
-                            const Scheme &,
-                            const GasMaterial &,
-                            const Boundary<3> &,
-                            const CutLeaves<3> *);
+#define CONTRECOUP_INSTANTIATE(dim, Real)                   \
+  template std::unique_ptr<GasOperator<dim, Real>>          \
+  make_finite_volume_operator(const OperatorContext<dim> &, \
+                              const GasMaterial &)
+
+CONTRECOUP_INSTANTIATE(1, double);
+CONTRECOUP_INSTANTIATE(2, double);
+CONTRECOUP_INSTANTIATE(3, double);
+CONTRECOUP_INSTANTIATE(3, float);
+#undef CONTRECOUP_INSTANTIATE
 } // namespace contrecoup::gas

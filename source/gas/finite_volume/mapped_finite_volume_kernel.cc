@@ -11,23 +11,20 @@ namespace contrecoup::gas
 {
 template <int dim, typename Gas, typename Real>
 MappedFiniteVolumeKernel<dim, Gas, Real>::MappedFiniteVolumeKernel(
-  const LeafMesh<dim> &mesh,
-  const LeafLayout &layout,
-  const Scheme &scheme,
-  const Gas &gas,
-  const Boundary<dim> &boundary)
-  : Base(mesh, layout, scheme, gas, boundary, metric_)
-  , metric_(layout.n)
-  , primitive_(nc * layout.n_points)
-  , residual_(nc * layout.n_points)
-  , factor_(nc * layout.n_points)
-  , below_(nc * layout.n_points)
-  , above_(nc * layout.n_points)
-  , line_(layout.n + 2 * n_beyond)
-  , left_(layout.n + 1)
-  , right_(layout.n + 1)
-  , flux_(layout.n + 1)
-  , normal_stress_(layout.n + 1)
+  const OperatorContext<dim> &context,
+  const Gas &gas)
+  : Base(context, gas, metric_)
+  , metric_(layout_.n)
+  , primitive_(nc * layout_.n_points)
+  , residual_(nc * layout_.n_points)
+  , factor_(nc * layout_.n_points)
+  , below_(nc * layout_.n_points)
+  , above_(nc * layout_.n_points)
+  , line_(layout_.n + 2 * n_beyond)
+  , left_(layout_.n + 1)
+  , right_(layout_.n + 1)
+  , flux_(layout_.n + 1)
+  , normal_stress_(layout_.n + 1)
 {}
 
 

@@ -9,11 +9,10 @@ namespace contrecoup::gas
 {
 template <int dim, typename Gas, typename Real>
 MappedHanging<dim, Gas, Real>::MappedHanging(
-  const LeafLayout &layout,
-  const Scheme &scheme,
+  const OperatorContext<dim> &context,
   const Gas &gas,
   PrimitiveField<dim, Gas, Real> &primitives)
-  : Base(layout, scheme, gas, primitives)
+  : Base(context, gas, primitives)
 {}
 
 

@@ -11,15 +11,12 @@ namespace contrecoup::gas
 {
 template <int dim, typename Gas, typename Real>
 MappedLeafKernel<dim, Gas, Real>::MappedLeafKernel(
-  const LeafMesh<dim> &mesh,
-  const LeafLayout &layout,
-  const Scheme &scheme,
+  const OperatorContext<dim> &context,
   const Gas &gas,
-  const Boundary<dim> &boundary,
   const Metric &metric)
-  : Base(mesh, layout, scheme, gas, boundary, std::vector<double>())
+  : Base(context, gas, std::vector<double>())
   , leaf_metric_(metric)
-  , beyond_(2 * dim * n_beyond * layout.n_face_points)
+  , beyond_(2 * dim * n_beyond * layout_.n_face_points)
 {}
 
 

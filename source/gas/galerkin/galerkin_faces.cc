@@ -12,24 +12,23 @@ using dealii::EvaluationFlags::values;
 
 
 template <int dim, typename Gas, typename Real>
-GalerkinFaces<dim, Gas, Real>::GalerkinFaces(const Space &space,
-                                             const LeafLayout &layout,
-                                             const Scheme &scheme,
-                                             const Gas &gas,
-                                             const Boundary<dim> &boundary)
+GalerkinFaces<dim, Gas, Real>::GalerkinFaces(
+  const Space &space,
+  const OperatorContext<dim> &context,
+  const Gas &gas)
   : space_(space)
-  , layout_(layout)
-  , scheme_(scheme)
+  , layout_(context.layout)
+  , scheme_(context.scheme)
   , gas_(gas)
-  , boundary_(boundary)
-  , subcells_(layout.n)
-  , basis_(layout.n)
-  , n_points_(layout.n_face_points)
+  , boundary_(context.boundary)
+  , subcells_(layout_.n)
+  , basis_(layout_.n)
+  , n_points_(layout_.n_face_points)
   , axes_(n_points_)
   , opposite_(n_points_)
   , flux_(n_points_)
-  , line_(layout.n)
-  , fine_radius_(space.radial_exponent(), layout.n)
+  , line_(layout_.n)
+  , fine_radius_(space.radial_exponent(), layout_.n)
   , coarse_radius_(fine_radius_)
 {
   for (unsigned int side = 0; side < 2; ++side)
@@ -37,16 +36,16 @@ GalerkinFaces<dim, Gas, Real>::GalerkinFaces(const Space &space,
     near_[side].resize(n_points_);
     far_[side].resize(n_points_);
   }
-  const dealii::QGauss<1> gauss(layout.n);
+  const dealii::QGauss<1> gauss(layout_.n);
   for (unsigned int k = 0; k < to_gauss_.size(); ++k)
   {
-    to_gauss_[k].reinit(layout.n, layout.n);
-    from_gauss_[k].reinit(layout.n, layout.n);
-    for (unsigned int i = 0; i < layout.n; ++i)
+    to_gauss_[k].reinit(layout_.n, layout_.n);
+    from_gauss_[k].reinit(layout_.n, layout_.n);
+    for (unsigned int i = 0; i < layout_.n; ++i)
     {
       const double x = gauss.point(i)[0];
       const auto values = basis_.values(k == 0 ? x : 0.5 * (x + k - 1.));
-      for (unsigned int j = 0; j < layout.n; ++j)
+      for (unsigned int j = 0; j < layout_.n; ++j)
         to_gauss_[k](i, j) = from_gauss_[k](j, i) = values[j];
     }
   }
@@ -172,8 +171,7 @@ void GalerkinFaces<dim, Gas, Real>::bind(const unsigned int face_batch,
       boundary_.kind(batch_->boundary_id) == Boundary<dim>::Kind::open)
     share_ = Number(1.);
   any_share_ = scheme_.blending && any_less(Number(0.), share_);
-  needs_shear_factor_ =
-    dim > 1 && any_share_ && scheme_.flux == RiemannFlux::hllc_shock_stable;
+  needs_shear_factor_ = dim > 1 && any_share_ && has_shear_factor(scheme_.flux);
 }
 
 

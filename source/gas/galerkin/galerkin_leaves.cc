@@ -13,34 +13,32 @@ namespace EvaluationFlags = dealii::EvaluationFlags;
 
 
 template <int dim, typename Gas, typename Real>
-GalerkinLeaves<dim, Gas, Real>::GalerkinLeaves(const LeafMesh<dim> &mesh,
-                                               const Space &space,
-                                               const Faces &faces,
-                                               const LeafLayout &layout,
-                                               const Scheme &scheme,
-                                               const Gas &gas,
-                                               const Boundary<dim> &boundary)
-  : mesh_(mesh)
+GalerkinLeaves<dim, Gas, Real>::GalerkinLeaves(
+  const Space &space,
+  const Faces &faces,
+  const OperatorContext<dim> &context,
+  const Gas &gas)
+  : mesh_(context.mesh)
   , space_(space)
   , faces_(faces)
-  , layout_(layout)
-  , scheme_(scheme)
+  , layout_(context.layout)
+  , scheme_(context.scheme)
   , gas_(gas)
-  , boundary_(boundary)
-  , subcells_(layout.n)
-  , indicator_(layout.n, scheme.indicator_threshold)
-  , radial_(space.radial_exponent(), layout.n)
-  , n_points_(layout.n_points)
+  , boundary_(context.boundary)
+  , subcells_(layout_.n)
+  , indicator_(layout_.n, context.scheme.indicator_threshold)
+  , radial_(space.radial_exponent(), layout_.n)
+  , n_points_(layout_.n_points)
   , conserved_(nc * n_points_)
   , primitive_(nc * n_points_)
   , rate_(nc * n_points_)
   , subcell_rate_(nc * n_points_)
   , volume_(n_points_)
-  , outflow_(2 * dim * nc * layout.n_face_points)
+  , outflow_(2 * dim * nc * layout_.n_face_points)
   , signal_(n_points_)
-  , line_(layout.n + 2)
-  , slope_(layout.n + 2)
-  , flux_(layout.n + 1)
+  , line_(layout_.n + 2)
+  , slope_(layout_.n + 2)
+  , flux_(layout_.n + 1)
 {
   for (auto &area : area_)
     area.resize(dim * n_points_);

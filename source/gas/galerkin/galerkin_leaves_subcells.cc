@@ -246,7 +246,7 @@ GalerkinLeaves<dim, Gas, Real>::subcell_flux(const unsigned int direction,
   const auto left = to_face_state<dim>(gas_, axes.to(trace[0]));
   const auto right = to_face_state<dim>(gas_, axes.to(trace[1]));
   Number factor(1.);
-  if (dim > 1 && scheme_.flux == RiemannFlux::hllc_shock_stable)
+  if (dim > 1 && has_shear_factor(scheme_.flux))
   {
     const Values before = axes.to(line_[f]), behind = axes.to(line_[f + 1]);
     factor = shear_factor(

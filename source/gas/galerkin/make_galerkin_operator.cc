@@ -12,21 +12,14 @@ namespace
   /// the faces of a batch of cells just before its leaves. Each leaf adds its
   /// fluxes in one order, which does not depend on the ranks.
   template <int dim, typename Gas, typename Real>
-  class GalerkinOperator : public GasOperator<dim>
+  class GalerkinOperator : public GasOperator<dim, Real>
   {
   public:
-    using GasOperator<dim>::apply;
-    using GasOperator<dim>::analyse;
-
-    GalerkinOperator(const LeafMesh<dim> &mesh,
-                     const LeafLayout &layout,
-                     const Scheme &scheme,
-                     const Gas &gas,
-                     const Boundary<dim> &boundary)
-      : GasOperator<dim>(mesh, layout, boundary)
-      , space_(mesh, layout)
-      , faces_(space_, layout, scheme, gas, boundary)
-      , leaves_(mesh, space_, faces_, layout, scheme, gas, boundary)
+    GalerkinOperator(const OperatorContext<dim> &context, const Gas &gas)
+      : GasOperator<dim, Real>(context)
+      , space_(context.mesh, context.layout)
+      , faces_(space_, context, gas)
+      , leaves_(space_, faces_, context, gas)
     {}
 
     void reinit() override
@@ -93,8 +86,8 @@ namespace
           values[i + lane] = values[i];
     }
 
-    using GasOperator<dim>::layout_;
-    using GasOperator<dim>::mesh_;
+    using GasOperator<dim, Real>::layout_;
+    using GasOperator<dim, Real>::mesh_;
     GalerkinSpace<dim, Real> space_;
     GalerkinFaces<dim, Gas, Real> faces_;
     GalerkinLeaves<dim, Gas, Real> leaves_;
@@ -102,39 +95,27 @@ namespace
 } // namespace
 
 
-template <int dim>
-std::unique_ptr<GasOperator<dim>>
-make_galerkin_operator(const LeafMesh<dim> &mesh,
-                       const LeafLayout &layout,
-                       const Scheme &scheme,
-                       const GasMaterial &material,
-                       const Boundary<dim> &boundary)
+template <int dim, typename Real>
+std::unique_ptr<GasOperator<dim, Real>>
+make_galerkin_operator(const OperatorContext<dim> &context,
+                       const GasMaterial &material)
 {
   return std::visit(
-    [&](const auto &gas) {
-      return visit_precision(
-        layout.precision,
-        [&](const auto real) -> std::unique_ptr<GasOperator<dim>> {
-          using Gas = std::decay_t<decltype(gas)>;
-          using Real = kernel_number<dim, std::decay_t<decltype(real)>>;
-          return std::make_unique<GalerkinOperator<dim, Gas, Real>>(
-            mesh, layout, scheme, gas, boundary);
-        });
+    [&](const auto &gas) -> std::unique_ptr<GasOperator<dim, Real>> {
+      using Gas = std::decay_t<decltype(gas)>;
+      return std::make_unique<GalerkinOperator<dim, Gas, Real>>(context, gas);
     },
     material.model());
 }
 
 
-#define CONTRECOUP_INSTANTIATE(dim)                                  \
-  template std::unique_ptr<GasOperator<dim>> make_galerkin_operator( \
-    const LeafMesh<dim> &,                                           \
-    const LeafLayout &,                                              \
-    const Scheme &,                                                  \
-    const GasMaterial &,                                             \
-    const Boundary<dim> &)
+#define CONTRECOUP_INSTANTIATE(dim, Real)                                  \
+  template std::unique_ptr<GasOperator<dim, Real>> make_galerkin_operator( \
+    const OperatorContext<dim> &, const GasMaterial &)
 
-CONTRECOUP_INSTANTIATE(1);
-CONTRECOUP_INSTANTIATE(2);
-CONTRECOUP_INSTANTIATE(3);
+CONTRECOUP_INSTANTIATE(1, double);
+CONTRECOUP_INSTANTIATE(2, double);
+CONTRECOUP_INSTANTIATE(3, double);
+CONTRECOUP_INSTANTIATE(3, float);
 #undef CONTRECOUP_INSTANTIATE
 } // namespace contrecoup::gas

@@ -12,7 +12,7 @@ namespace
 {
   std::vector<std::string> gradient_limiters_or_none()
   {
-    std::vector<std::string> names = gradient_limiter_names();
+    std::vector<std::string> names = names_of(gradient_limiters);
     names.insert(names.begin(), "none");
     return names;
   }
@@ -138,29 +138,26 @@ void Scheme::declare_parameters(ParameterHandler &prm)
   declare_selection(prm,
                     "Limiter",
                     "mc",
-                    slope_limiter_names(),
+                    names_of(slope_limiters),
                     "Limiter of the slopes, in finite volumes and in the "
-                    "subcells of troubled Galerkin leaves. minmod is the most "
-                    "diffusive, van albada and van leer are smooth, mc is "
-                    "sharper, superbee steepens contacts, none suits smooth "
-                    "flow only.");
+                    "subcells of troubled Galerkin leaves: " +
+                      help_of(slope_limiters) + ".");
   declare_selection(prm,
                     "Gradient limiter",
                     "none",
                     gradient_limiters_or_none(),
                     "Finite volume on meshes other than boxes: "
                     "multidimensional limiter of the gradient; at the faces "
-                    "between leaves Limiter is used. None: Limiter is used "
-                    "everywhere, direction by direction.");
+                    "between leaves Limiter is used. none uses Limiter "
+                    "everywhere, direction by direction; " +
+                      help_of(gradient_limiters) + ".");
   declare_galerkin(prm);
   declare_selection(prm,
                     "Flux",
                     "hllc shock stable",
-                    riemann_flux_names(),
-                    "Riemann flux between subcells and between leaves. hllc "
-                    "keeps contacts sharp; hllc shock stable equals it away "
-                    "from shocks and suppresses the carbuncle along them; hll "
-                    "and rusanov are robust and smear contacts.");
+                    names_of(riemann_fluxes),
+                    "Riemann flux between subcells and between leaves: " +
+                      help_of(riemann_fluxes) + ".");
   declare_time_stepping(prm);
   declare_precision(prm);
 }
@@ -172,11 +169,12 @@ void Scheme::parse_parameters(ParameterHandler &prm, const unsigned int dim)
   kind = prm.get("Scheme") == "finite volume" ? Kind::finite_volume
                                               : Kind::discontinuous_galerkin;
   linear_reconstruction = prm.get("Reconstruction") == "linear";
-  limiter = parse_slope_limiter(prm.get("Limiter"));
+  limiter = find_choice(slope_limiters, prm.get("Limiter"), "slope limiter");
   gradient_limiter.reset();
   if (prm.get("Gradient limiter") != "none")
-    gradient_limiter = parse_gradient_limiter(prm.get("Gradient limiter"));
-  flux = parse_riemann_flux(prm.get("Flux"));
+    gradient_limiter = find_choice(
+      gradient_limiters, prm.get("Gradient limiter"), "gradient limiter");
+  flux = find_choice(riemann_fluxes, prm.get("Flux"), "Riemann flux");
   time_stepping = parse_runge_kutta(prm.get("Time stepping"));
   precision = prm.get("Precision") == "single" ? Precision::single_precision
                                                : Precision::double_precision;

@@ -14,7 +14,6 @@
 #include <contrecoup/gas/run/gas_checkpoint.h>
 #include <contrecoup/gas/run/gas_core.h>
 #include <contrecoup/gas/run/initial_fill.h>
-#include <contrecoup/gas/stepping/make_gas_operator.h>
 #include <contrecoup/geometry/mesh/cell_shapes.h>
 
 #include <sstream>
@@ -110,15 +109,15 @@ void GasCore<dim>::create_octree()
 {
   mesh_.create(
     scene_.coarse_mesh, scene_.scheme.precision, scene_.scheme.cell_degree);
-  operator_ = make_gas_operator(mesh_,
-                                scene_.layout,
-                                scene_.scheme,
-                                scene_.material,
-                                scene_.boundary,
-                                body_.empty() ? nullptr : &body_.cut_leaves());
   quiet_leaves_ = std::make_unique<QuietLeaves<dim>>(mesh_, skip_quiet_leaves_);
-  stepper_ = std::make_unique<TimeStepper<dim>>(
-    mesh_, scene_.scheme, *operator_, *quiet_leaves_);
+  stepper_ =
+    make_time_stepper<dim>({mesh_,
+                            scene_.layout,
+                            scene_.scheme,
+                            scene_.boundary,
+                            body_.empty() ? nullptr : &body_.cut_leaves()},
+                           scene_.material,
+                           *quiet_leaves_);
   adaptation_ = std::make_unique<Adaptation<dim>>(
     adaptation_parameters_, mesh_, scene_.points, scene_.material);
   if (!body_.empty())

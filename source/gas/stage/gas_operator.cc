@@ -5,8 +5,8 @@
 
 namespace contrecoup::gas
 {
-template <int dim>
-std::vector<unsigned int> GasOperator<dim>::driven_leaves() const
+template <int dim, typename Real>
+std::vector<unsigned int> GasOperator<dim, Real>::driven_leaves() const
 {
   using Kind = typename Boundary<dim>::Kind;
   std::vector<unsigned int> result;
@@ -21,7 +21,8 @@ std::vector<unsigned int> GasOperator<dim>::driven_leaves() const
 }
 
 
-template class GasOperator<1>;
-template class GasOperator<2>;
-template class GasOperator<3>;
+template class GasOperator<1, double>;
+template class GasOperator<2, double>;
+template class GasOperator<3, double>;
+template class GasOperator<3, float>;
 } // namespace contrecoup::gas

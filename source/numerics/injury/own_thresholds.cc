@@ -59,7 +59,10 @@ namespace
                        brief(value) + "; allowed: " +
                        (falls ? "from " + brief(least) + ", below 0"
                               : "above 0, at most " + brief(most)) +
-                       (published.unit == "-" ? "" : " " + published.unit));
+                       (published.unit != "-" ? " " + published.unit
+                        : published.largest == 1.
+                          ? ", a fraction or probability"
+                          : ""));
   }
 
 

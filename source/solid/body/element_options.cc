@@ -20,9 +20,10 @@ namespace
     declare_selection(prm,
                       "Hourglass control",
                       "stiffness",
-                      hourglass_names(),
+                      names_of(hourglass_controls),
                       "Resistance to the hourglass modes of one-point "
-                      "integration; with none they grow freely.");
+                      "integration: " +
+                        help_of(hourglass_controls) + ".");
     declare_double(
       prm,
       "Hourglass coefficient",
@@ -92,11 +93,8 @@ void ElementOptions::declare_parameters(ParameterHandler &prm)
   declare_selection(prm,
                     "Kinematics",
                     "finite rotation",
-                    solid_kinematics_names(),
-                    "finite rotation: exact for arbitrary rotations with small "
-                    "strains; neo-hookean: also large strains; small strain: "
-                    "linear, a rotation by an angle a counts as a strain of "
-                    "a^2 / 2.");
+                    names_of(solid_kinematics),
+                    "Strain measure: " + help_of(solid_kinematics) + ".");
   declare_selection(prm,
                     "Integration",
                     "one-point",
@@ -126,11 +124,13 @@ void ElementOptions::declare_parameters(ParameterHandler &prm)
 void ElementOptions::parse_parameters(ParameterHandler &prm)
 {
   const Section section(prm, "Elements");
-  kinematics = find_solid_kinematics(prm.get("Kinematics"));
+  kinematics = find_choice(
+    solid_kinematics, prm.get("Kinematics"), "kinematics of solids");
   integration = prm.get("Integration") == integration_names[1]
                   ? Integration::full
                   : Integration::one_point;
-  hourglass = find_hourglass(prm.get("Hourglass control"));
+  hourglass = find_choice(
+    hourglass_controls, prm.get("Hourglass control"), "hourglass control");
   hourglass_coefficient = read_double(prm, "Hourglass coefficient");
   hourglass_damping = read_double(prm, "Hourglass damping");
   pressure_smoothing = read_double(prm, "Pressure smoothing");

@@ -120,7 +120,7 @@ TEST(Conservation, Galerkin3d)
 
 TEST(Conservation, EveryFlux)
 {
-  for (const std::string &flux : riemann_flux_names())
+  for (const std::string &flux : names_of(riemann_fluxes))
   {
     check<2>(finite_volume(4) + std::vector<std::string>{"Method/Flux=" + flux},
              false);

@@ -208,7 +208,7 @@ TEST(Symmetry, DirectionsAreAlike)
 
 TEST(Symmetry, EveryFlux)
 {
-  for (const std::string &flux : riemann_flux_names())
+  for (const std::string &flux : names_of(riemann_fluxes))
   {
     const std::vector<std::string> line = {"Method/Flux=" + flux};
     for (const auto &method : {finite_volume(4), galerkin(2)})

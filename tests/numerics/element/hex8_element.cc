@@ -285,6 +285,8 @@ TEST(BulkViscosity, PushesInCompressionOnly)
 
 TEST(Hourglass, UnknownWordNamesTheKnownOnes)
 {
-  EXPECT_EQ(find_hourglass("assumed strain"), HourglassKind::assumed_strain);
-  EXPECT_THROW(find_hourglass("stiffnes"), InputError);
+  EXPECT_EQ(find_choice(hourglass_controls, "assumed strain", "control"),
+            HourglassKind::assumed_strain);
+  EXPECT_THROW(find_choice(hourglass_controls, "stiffnes", "control"),
+               InputError);
 }

@@ -20,11 +20,12 @@
 
 namespace contrecoup
 {
-inline const std::vector<RiemannFlux> all_fluxes{
-  RiemannFlux::hllc,
-  RiemannFlux::hll,
-  RiemannFlux::rusanov,
-  RiemannFlux::hllc_shock_stable};
+inline const std::vector<RiemannFlux> all_fluxes = [] {
+  std::vector<RiemannFlux> kinds;
+  for (const RiemannFluxDescription &flux : riemann_fluxes)
+    kinds.push_back(flux.kind);
+  return kinds;
+}();
 
 inline const GasMaterial &air()
 {

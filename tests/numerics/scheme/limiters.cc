@@ -19,16 +19,19 @@ namespace
 std::vector<SlopeLimiter> named_limiters()
 {
   std::vector<SlopeLimiter> limiters;
-  for (const std::string &name : slope_limiter_names())
-    limiters.push_back(parse_slope_limiter(name));
+  for (const SlopeLimiterDescription &limiter : slope_limiters)
+    limiters.push_back(limiter.kind);
   return limiters;
 }
 
 const std::vector<SlopeLimiter> all_limiters = named_limiters();
 
-bool is_tvd(const SlopeLimiter limiter)
+bool is_tvd(const SlopeLimiter kind)
 {
-  return limiter != SlopeLimiter::none;
+  for (const SlopeLimiterDescription &limiter : slope_limiters)
+    if (limiter.kind == kind)
+      return limiter.is_tvd;
+  return false;
 }
 
 /// Differences of both signs over many magnitudes, zero among them.
@@ -219,14 +222,12 @@ TEST(GradientLimiter, KnowsItsValues)
 
 TEST(Limiters, AreFoundByName)
 {
-  EXPECT_EQ(parse_slope_limiter("none"), SlopeLimiter::none);
-  EXPECT_EQ(parse_slope_limiter("minmod"), SlopeLimiter::minmod);
-  EXPECT_EQ(parse_slope_limiter("van albada"), SlopeLimiter::van_albada);
-  EXPECT_EQ(parse_slope_limiter("van leer"), SlopeLimiter::van_leer);
-  EXPECT_EQ(parse_slope_limiter("mc"), SlopeLimiter::mc);
-  EXPECT_EQ(parse_slope_limiter("superbee"), SlopeLimiter::superbee);
-  EXPECT_THROW(parse_slope_limiter("no such limiter"), InputError);
-  EXPECT_EQ(parse_gradient_limiter(gradient_limiter_names()[1]),
+  for (const auto &limiter : slope_limiters)
+    EXPECT_EQ(find_choice(slope_limiters, limiter.name, "limiter"),
+              limiter.kind);
+  EXPECT_THROW(find_choice(slope_limiters, "no such limiter", "limiter"),
+               InputError);
+  EXPECT_EQ(find_choice(gradient_limiters, "venkatakrishnan", "limiter"),
             GradientLimiter::venkatakrishnan);
-  EXPECT_THROW(parse_gradient_limiter("none"), InputError);
+  EXPECT_THROW(find_choice(gradient_limiters, "none", "limiter"), InputError);
 }

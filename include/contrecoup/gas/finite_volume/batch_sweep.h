@@ -30,11 +30,8 @@ public:
   static constexpr unsigned int nc = Leaves::nc;
 
   /// @param primitives of the state that bound stages read
-  BatchSweep(const LeafMesh<dim> &mesh,
-             const LeafLayout &layout,
-             const Scheme &scheme,
+  BatchSweep(const OperatorContext<dim> &context,
              const Gas &gas,
-             const Boundary<dim> &boundary,
              Primitives &primitives);
 
   /// Prepares for the leaves of @p batch.

@@ -27,12 +27,8 @@ public:
   using Primitives = PrimitiveField<dim, Gas, Real>;
 
   /// @param primitives of the state that stages read
-  EmbeddedKernel(const LeafMesh<dim> &mesh,
-                 const LeafLayout &layout,
-                 const Scheme &scheme,
+  EmbeddedKernel(const OperatorContext<dim> &context,
                  const Gas &gas,
-                 const Boundary<dim> &boundary,
-                 const CutLeaves<dim> &cut_leaves,
                  Primitives &primitives);
 
   /// Takes over the shapes of all leaves in cut batches.

@@ -19,25 +19,11 @@ class EmbeddedOperator : public FiniteVolumeOperator<dim, Gas, Real>
 {
 public:
   using Base = FiniteVolumeOperator<dim, Gas, Real>;
-  using Base::analyse;
-  using Base::apply;
-  using GasOperator<dim>::redistribute;
 
-  EmbeddedOperator(const LeafMesh<dim> &mesh,
-                   const LeafLayout &layout,
-                   const Scheme &scheme,
-                   const Gas &gas,
-                   const Boundary<dim> &boundary,
-                   const CutLeaves<dim> &cut_leaves)
-    : Base(mesh, layout, scheme, gas, boundary)
-    , cut_leaves_(cut_leaves)
-    , embedded_kernel_(mesh,
-                       layout,
-                       scheme,
-                       gas,
-                       boundary,
-                       cut_leaves,
-                       Base::primitives_)
+  EmbeddedOperator(const OperatorContext<dim> &context, const Gas &gas)
+    : Base(context, gas)
+    , cut_leaves_(*context.cut_leaves)
+    , embedded_kernel_(context, gas, Base::primitives_)
   {}
 
   void reinit() override

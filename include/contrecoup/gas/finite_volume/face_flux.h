@@ -30,9 +30,10 @@ namespace internal
   __attribute__((noinline)) FaceFlux<dim, Number>
   other_flux(const RiemannFlux kind,
              const FaceState<dim, Number> &left,
-             const FaceState<dim, Number> &right)
+             const FaceState<dim, Number> &right,
+             const Number &shear_factor)
   {
-    return numerical_flux(kind, left, right, Number(1.));
+    return numerical_flux(kind, left, right, shear_factor);
   }
 
   /// Primitive values at the low (side 0) or high face of subcell @p i.
@@ -148,8 +149,9 @@ face_flux(const Gas &stored_gas,
   if (!SomeScheme(*line.scheme).has_hllc)
   {
     const auto a = left, b = right;
+    const Number c = factor;
     flux = to_array<dim, Gas>(
-      internal::other_flux<dim, Gas>(line.scheme->flux, a, b));
+      internal::other_flux<dim, Gas>(line.scheme->flux, a, b, c));
   }
   else
     flux = to_array<dim, Gas>(
@@ -162,7 +164,8 @@ face_flux(const Gas &stored_gas,
     const auto wide = to_array<dim, Gas>(internal::other_flux<dim, Gas>(
       RiemannFlux::rusanov,
       to_face_state<dim>(gas, line.subcells[f - 1]),
-      to_face_state<dim>(gas, line.subcells[f])));
+      to_face_state<dim>(gas, line.subcells[f]),
+      Number(1.)));
     for (unsigned int c = 0; c < n_conserved<dim, Gas>; ++c)
       flux[c] = select_less(Number(0.), *line.leaving, wide[c], flux[c]);
   }

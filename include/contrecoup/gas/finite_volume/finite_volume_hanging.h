@@ -22,8 +22,7 @@ public:
   using Values = typename Base::Values;
 
   /// @param primitives of the state that stages read
-  FiniteVolumeHanging(const LeafLayout &layout,
-                      const Scheme &scheme,
+  FiniteVolumeHanging(const OperatorContext<dim> &context,
                       const Gas &gas,
                       PrimitiveField<dim, Gas, Real> &primitives);
 

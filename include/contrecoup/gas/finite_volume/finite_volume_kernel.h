@@ -22,11 +22,8 @@ public:
   using Values = typename Sweep::Values;
 
   /// @param primitives of the state that stages read
-  FiniteVolumeKernel(const LeafMesh<dim> &mesh,
-                     const LeafLayout &layout,
-                     const Scheme &scheme,
+  FiniteVolumeKernel(const OperatorContext<dim> &context,
                      const Gas &gas,
-                     const Boundary<dim> &boundary,
                      PrimitiveField<dim, Gas, Real> &primitives);
 
   /// Does @p stage on the leaves of @p batch.

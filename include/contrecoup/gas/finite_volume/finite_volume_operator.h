@@ -12,21 +12,14 @@ namespace contrecoup::gas
 {
 /// Finite volumes on axis-aligned leaves without a body.
 template <int dim, typename Gas, typename Real = double>
-class FiniteVolumeOperator : public GasOperator<dim>
+class FiniteVolumeOperator : public GasOperator<dim, Real>
 {
 public:
-  using GasOperator<dim>::apply;
-  using GasOperator<dim>::analyse;
-
-  FiniteVolumeOperator(const LeafMesh<dim> &mesh,
-                       const LeafLayout &layout,
-                       const Scheme &scheme,
-                       const Gas &gas,
-                       const Boundary<dim> &boundary)
-    : GasOperator<dim>(mesh, layout, boundary)
-    , primitives_(layout, gas)
-    , kernel_(mesh, layout, scheme, gas, boundary, primitives_)
-    , hanging_kernel_(layout, scheme, gas, primitives_)
+  FiniteVolumeOperator(const OperatorContext<dim> &context, const Gas &gas)
+    : GasOperator<dim, Real>(context)
+    , primitives_(layout_, gas)
+    , kernel_(context, gas, primitives_)
+    , hanging_kernel_(context, gas, primitives_)
   {}
 
   void reinit() override
@@ -62,8 +55,8 @@ public:
   }
 
 protected:
-  using GasOperator<dim>::layout_;
-  using GasOperator<dim>::mesh_;
+  using GasOperator<dim, Real>::layout_;
+  using GasOperator<dim, Real>::mesh_;
 
   void begin_stage(const BasicStage<Real> &stage,
                    QuietLeaves<dim> &quiet_leaves)

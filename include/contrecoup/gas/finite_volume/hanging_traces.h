@@ -8,7 +8,7 @@
 #include <contrecoup/gas/finite_volume/primitive_field.h>
 #include <contrecoup/gas/octree/hanging_group.h>
 #include <contrecoup/gas/octree/neighbor_reader.h>
-#include <contrecoup/gas/octree/scheme.h>
+#include <contrecoup/gas/stage/operator_context.h>
 #include <contrecoup/gas/stage/stage.h>
 #include <contrecoup/gas/state/primitive.h>
 
@@ -36,8 +36,7 @@ protected:
   static constexpr unsigned int n_fine = HangingFace<dim>::n_fine;
 
   /// @param primitives of the state that stages read
-  HangingTraces(const LeafLayout &layout,
-                const Scheme &scheme,
+  HangingTraces(const OperatorContext<dim> &context,
                 const Gas &gas,
                 PrimitiveField<dim, Gas, Real> &primitives);
 

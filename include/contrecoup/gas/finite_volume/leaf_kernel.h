@@ -3,10 +3,8 @@
 
 #pragma once
 
-#include <contrecoup/gas/conditions/boundary.h>
-#include <contrecoup/gas/octree/leaf_layout.h>
 #include <contrecoup/gas/octree/neighbor_reader.h>
-#include <contrecoup/gas/octree/scheme.h>
+#include <contrecoup/gas/stage/operator_context.h>
 #include <contrecoup/gas/stage/stage.h>
 #include <contrecoup/gas/state/primitive.h>
 
@@ -36,11 +34,8 @@ public:
   using C = Component<dim>;
 
   /// @param positions places of the points along an edge, from 0 to 1
-  LeafKernel(const LeafMesh<dim> &mesh,
-             const LeafLayout &layout,
-             const Scheme &scheme,
+  LeafKernel(const OperatorContext<dim> &context,
              const Gas &gas,
-             const Boundary<dim> &boundary,
              const std::vector<double> &positions);
 
   /// Prepares for the leaves of @p batch.

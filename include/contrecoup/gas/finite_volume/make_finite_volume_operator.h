@@ -4,16 +4,15 @@
 #pragma once
 
 #include <contrecoup/gas/stage/gas_operator.h>
+#include <contrecoup/materials/gas_material.h>
+
+#include <memory>
 
 namespace contrecoup::gas
 {
-/// Makes finite-volume operators; see make_gas_operator().
-template <int dim>
-std::unique_ptr<GasOperator<dim>>
-make_finite_volume_operator(const LeafMesh<dim> &mesh,
-                            const LeafLayout &layout,
-                            const Scheme &scheme,
-                            const GasMaterial &material,
-                            const Boundary<dim> &boundary,
-                            const CutLeaves<dim> *cut_leaves);
+/// Makes the finite-volume operator for the equation of state of @p material.
+template <int dim, typename Real>
+std::unique_ptr<GasOperator<dim, Real>>
+make_finite_volume_operator(const OperatorContext<dim> &context,
+                            const GasMaterial &material);
 } // namespace contrecoup::gas

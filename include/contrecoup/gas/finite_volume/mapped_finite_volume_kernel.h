@@ -31,11 +31,7 @@ public:
   using Values = typename Base::Values;
   using C = Component<dim>;
 
-  MappedFiniteVolumeKernel(const LeafMesh<dim> &mesh,
-                           const LeafLayout &layout,
-                           const Scheme &scheme,
-                           const Gas &gas,
-                           const Boundary<dim> &boundary);
+  MappedFiniteVolumeKernel(const OperatorContext<dim> &context, const Gas &gas);
 
   /// Does @p stage on the leaves of @p batch.
   void update(const unsigned int batch,

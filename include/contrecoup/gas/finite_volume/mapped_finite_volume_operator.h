@@ -12,21 +12,15 @@ namespace contrecoup::gas
 {
 /// Finite volumes on leaves of any shape.
 template <int dim, typename Gas, typename Real = double>
-class MappedFiniteVolumeOperator : public GasOperator<dim>
+class MappedFiniteVolumeOperator : public GasOperator<dim, Real>
 {
 public:
-  using GasOperator<dim>::apply;
-  using GasOperator<dim>::analyse;
-
-  MappedFiniteVolumeOperator(const LeafMesh<dim> &mesh,
-                             const LeafLayout &layout,
-                             const Scheme &scheme,
-                             const Gas &gas,
-                             const Boundary<dim> &boundary)
-    : GasOperator<dim>(mesh, layout, boundary)
-    , primitives_(layout, gas)
-    , kernel_(mesh, layout, scheme, gas, boundary)
-    , hanging_kernel_(layout, scheme, gas, primitives_)
+  MappedFiniteVolumeOperator(const OperatorContext<dim> &context,
+                             const Gas &gas)
+    : GasOperator<dim, Real>(context)
+    , primitives_(layout_, gas)
+    , kernel_(context, gas)
+    , hanging_kernel_(context, gas, primitives_)
   {}
 
   void reinit() override
@@ -67,8 +61,8 @@ public:
   }
 
 private:
-  using GasOperator<dim>::layout_;
-  using GasOperator<dim>::mesh_;
+  using GasOperator<dim, Real>::layout_;
+  using GasOperator<dim, Real>::mesh_;
 
   PrimitiveField<dim, Gas, Real> primitives_;
   MappedFiniteVolumeKernel<dim, Gas, Real> kernel_;

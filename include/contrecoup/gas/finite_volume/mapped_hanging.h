@@ -27,8 +27,7 @@ public:
   using C = Component<dim>;
 
   /// @param primitives of the state that stages read
-  MappedHanging(const LeafLayout &layout,
-                const Scheme &scheme,
+  MappedHanging(const OperatorContext<dim> &context,
                 const Gas &gas,
                 PrimitiveField<dim, Gas, Real> &primitives);
 

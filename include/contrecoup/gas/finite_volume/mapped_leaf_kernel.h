@@ -43,11 +43,8 @@ protected:
   static constexpr int n_beyond = 2;
 
   /// @param metric of the leaves that are bound; must outlive this object
-  MappedLeafKernel(const LeafMesh<dim> &mesh,
-                   const LeafLayout &layout,
-                   const Scheme &scheme,
+  MappedLeafKernel(const OperatorContext<dim> &context,
                    const Gas &gas,
-                   const Boundary<dim> &boundary,
                    const Metric &metric);
 
   /// Reads the neighbours and evaluates the boundaries of the bound leaves.

@@ -3,15 +3,14 @@
 
 #pragma once
 
-#include <contrecoup/gas/conditions/boundary.h>
 #include <contrecoup/gas/galerkin/galerkin_space.h>
 #include <contrecoup/gas/galerkin/lobatto_subcells.h>
 #include <contrecoup/gas/galerkin/nodal_evaluation.h>
 #include <contrecoup/gas/octree/leaf_box.h>
 #include <contrecoup/gas/octree/neighbor_reader.h>
 #include <contrecoup/gas/octree/radial_nodes.h>
-#include <contrecoup/gas/octree/scheme.h>
 #include <contrecoup/gas/stage/face_axes.h>
+#include <contrecoup/gas/stage/operator_context.h>
 #include <contrecoup/gas/stage/stage.h>
 #include <contrecoup/gas/state/primitive.h>
 #include <contrecoup/numerics/scheme/lobatto_basis.h>
@@ -43,10 +42,8 @@ public:
   using Vector = dealii::Tensor<1, dim, Number>;
 
   GalerkinFaces(const Space &space,
-                const LeafLayout &layout,
-                const Scheme &scheme,
-                const Gas &gas,
-                const Boundary<dim> &boundary);
+                const OperatorContext<dim> &context,
+                const Gas &gas);
 
   /// Renews what depends on the mesh, after that of the space.
   void reinit();

@@ -39,13 +39,10 @@ public:
   using Faces = GalerkinFaces<dim, Gas, Real>;
   using Vector = dealii::Tensor<1, dim, Number>;
 
-  GalerkinLeaves(const LeafMesh<dim> &mesh,
-                 const Space &space,
+  GalerkinLeaves(const Space &space,
                  const Faces &faces,
-                 const LeafLayout &layout,
-                 const Scheme &scheme,
-                 const Gas &gas,
-                 const Boundary<dim> &boundary);
+                 const OperatorContext<dim> &context,
+                 const Gas &gas);
 
   /// Renews what depends on the mesh, after that of space and faces.
   void reinit();

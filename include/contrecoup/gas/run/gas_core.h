@@ -136,7 +136,6 @@ private:
   BodyInGas<dim> body_;
   GasField field_;
   std::unique_ptr<QuietLeaves<dim>> quiet_leaves_;
-  std::unique_ptr<GasOperator<dim>> operator_;
   std::unique_ptr<TimeStepper<dim>> stepper_;
   std::unique_ptr<Adaptation<dim>> adaptation_;
   Detonation<dim> detonation_;

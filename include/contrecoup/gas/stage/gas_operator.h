@@ -3,35 +3,27 @@
 
 #pragma once
 
-#include <contrecoup/gas/conditions/boundary.h>
-#include <contrecoup/gas/octree/leaf_layout.h>
-#include <contrecoup/gas/octree/scheme.h>
+#include <contrecoup/gas/stage/operator_context.h>
 #include <contrecoup/gas/stage/stage.h>
 #include <contrecoup/gas/state/quiet_leaves.h>
-#include <contrecoup/materials/gas_material.h>
 
-#include <memory>
+#include <vector>
 
 namespace contrecoup::gas
 {
-template <int dim>
-class CutLeaves;
-
 /**
- * The spatial discretisation of one scheme, for the leaves of this rank:
- * what the time stepping needs of it, without templates on scheme or
+ * The spatial discretisation of one scheme in one precision, for the leaves of
+ * this rank: what the time stepping needs of it, without templates on scheme or
  * equation of state.
  */
-template <int dim>
+template <int dim, typename Real>
 class GasOperator
 {
 public:
-  GasOperator(const LeafMesh<dim> &mesh,
-              const LeafLayout &layout,
-              const Boundary<dim> &boundary)
-    : mesh_(mesh)
-    , layout_(layout)
-    , boundary_(boundary)
+  explicit GasOperator(const OperatorContext<dim> &context)
+    : mesh_(context.mesh)
+    , layout_(context.layout)
+    , boundary_(context.boundary)
   {}
   virtual ~GasOperator() = default;
 
@@ -39,16 +31,9 @@ public:
   virtual void reinit() = 0;
 
   /// Does one Runge-Kutta stage on all owned leaves but those of batches
-  /// that the second argument says are not active. An operator works in the
-  /// precision that it was made for; the other function must not be called.
-  virtual void apply(const BasicStage<double> &, QuietLeaves<dim> &)
-  {
-    Assert(false, dealii::ExcInternalError());
-  }
-  virtual void apply(const BasicStage<float> &, QuietLeaves<dim> &)
-  {
-    Assert(false, dealii::ExcInternalError());
-  }
+  /// that the second argument says are not active.
+  virtual void apply(const BasicStage<Real> &stage,
+                     QuietLeaves<dim> &quiet_leaves) = 0;
 
   /// Whether stages end with redistribute(), on every rank alike.
   virtual bool redistributes() const
@@ -59,14 +44,9 @@ public:
   /// Completes what apply() began in cells that a body cuts: shares the
   /// change of small ones with their neighbours, conservatively. The ghosts
   /// of stage.results.state must be up to date.
-  virtual void redistribute(const BasicStage<double> &, QuietLeaves<dim> &)
-  {
-    Assert(false, dealii::ExcInternalError());
-  }
-  virtual void redistribute(const BasicStage<float> &, QuietLeaves<dim> &)
-  {
-    Assert(false, dealii::ExcInternalError());
-  }
+  virtual void redistribute(const BasicStage<Real> & /*stage*/,
+                            QuietLeaves<dim> & /*quiet_leaves*/)
+  {}
 
   /// Batches that stages never touch, because they hold no gas.
   virtual std::vector<unsigned int> closed_batches() const
@@ -76,14 +56,7 @@ public:
 
   /// Computes stage.results.sensor and stage.results.signal_rate of
   /// stage.results.state.
-  virtual void analyse(const BasicStage<double> &)
-  {
-    Assert(false, dealii::ExcInternalError());
-  }
-  virtual void analyse(const BasicStage<float> &)
-  {
-    Assert(false, dealii::ExcInternalError());
-  }
+  virtual void analyse(const BasicStage<Real> &stage) = 0;
 
   /// Owned leaves at boundaries with a state of their own; see
   /// QuietLeaves::reinit().

@@ -3,15 +3,14 @@
 
 #pragma once
 
-#include <contrecoup/gas/octree/ghost_exchange.h>
-#include <contrecoup/gas/stage/gas_operator.h>
+#include <contrecoup/gas/stage/operator_context.h>
 #include <contrecoup/gas/state/gas_field.h>
 #include <contrecoup/gas/state/quiet_leaves.h>
+#include <contrecoup/materials/gas_material.h>
 
-#include <deal.II/base/aligned_vector.h>
-
+#include <array>
+#include <memory>
 #include <optional>
-#include <utility>
 #include <vector>
 
 namespace contrecoup::gas
@@ -25,28 +24,18 @@ template <int dim>
 class TimeStepper
 {
 public:
-  /// Keeps references.
-  TimeStepper(const LeafMesh<dim> &mesh,
-              const Scheme &scheme,
-              GasOperator<dim> &gas_operator,
-              QuietLeaves<dim> &quiet_leaves);
+  virtual ~TimeStepper() = default;
 
   /// Renews what depends on the mesh and computes sensor and signal rate
   /// of the current state.
-  void reinit(GasField &field);
+  virtual void reinit(GasField &field) = 0;
 
   /// Computes sensor and signal rate of the current state, of which only
   /// gas with explosive products may have changed since the last step.
-  void analyse(GasField &field);
+  virtual void analyse(GasField &field) = 0;
 
   /// Brings the ghosts of the current state up to date. Collective.
-  void update_ghosts(GasField &field)
-  {
-    visit_precision(field.layout().precision, [&](const auto real) {
-      using Real = std::decay_t<decltype(real)>;
-      exchange_.update(field.state<Real>(), field.sensors<Real>());
-    });
-  }
+  virtual void update_ghosts(GasField &field) = 0;
 
   /// Largest signal rates of the current state [1/s].
   struct Rates
@@ -59,14 +48,15 @@ public:
 
   /// Collective.
   /// @param size_ratios see LeafLevels; empty: all are one
-  Rates largest_rates(const std::vector<double> &size_ratios = {}) const;
+  virtual Rates
+  largest_rates(const std::vector<double> &size_ratios = {}) const = 0;
+
+  /// Largest signal rate of a leaf, see StageResults::signal_rate [1/s].
+  virtual double signal_rate(const unsigned int leaf) const = 0;
 
   /// Largest stable step [s] from a state with the largest signal rate
   /// @p rate [1/s].
-  double stable_step(const double rate) const
-  {
-    return scheme_.cfl * scheme_.stability_limit() / rate;
-  }
+  virtual double stable_step(const double rate) const = 0;
   /// The same from the current state. Collective.
   double stable_step() const
   {
@@ -87,51 +77,16 @@ public:
   };
 
   /// Goes ahead by @p step [s] or, after retries, by less. Collective.
-  Result advance(GasField &field, const double time, const double step);
-
-  /// Largest signal rate of a leaf, see StageResults::signal_rate [1/s].
-  double signal_rate(const unsigned int leaf) const
-  {
-    return visit_precision(precision_, [&](const auto real) -> double {
-      return signal_rates<std::decay_t<decltype(real)>>()[leaf];
-    });
-  }
-
-private:
-  template <typename Real>
-  dealii::AlignedVector<Real> &signal_rates()
-  {
-    return std::get<dealii::AlignedVector<Real>>(signal_rates_);
-  }
-  template <typename Real>
-  const dealii::AlignedVector<Real> &signal_rates() const
-  {
-    return std::get<dealii::AlignedVector<Real>>(signal_rates_);
-  }
-  void compute_sensors(GasField &field);
-  /// @returns number of the stage copy that holds the result, or nothing
-  /// when a state turned unphysical on any rank
-  template <typename Real>
-  std::optional<unsigned int> try_step(GasField &field,
-                                       const double time,
-                                       const double step,
-                                       const bool bound_velocity_slopes);
-  /// Whether the scheme has slopes that Stage::bound_velocity_slopes bounds.
-  bool can_bound_velocity_slopes() const
-  {
-    return scheme_.kind == Scheme::Kind::finite_volume &&
-           scheme_.linear_reconstruction;
-  }
-
-  const LeafMesh<dim> &mesh_;
-  const Scheme &scheme_;
-  GasOperator<dim> &operator_;
-  GhostExchange<dim> exchange_;
-  Precision precision_ = Precision::double_precision; ///< of the field
-  std::tuple<dealii::AlignedVector<double>, dealii::AlignedVector<float>>
-    signal_rates_;
-  QuietLeaves<dim> &quiet_leaves_;
-  unsigned int unphysical_leaf_ = no_leaf;
-  std::array<double, 6> wall_force_; ///< see Result
+  virtual Result
+  advance(GasField &field, const double time, const double step) = 0;
 };
+
+/// The stepper with the operator that scheme, precision and @p material ask
+/// for: finite volumes on boxes go around the body of the context. The
+/// arguments must outlive it.
+template <int dim>
+std::unique_ptr<TimeStepper<dim>>
+make_time_stepper(const OperatorContext<dim> &context,
+                  const GasMaterial &material,
+                  QuietLeaves<dim> &quiet_leaves);
 } // namespace contrecoup::gas

@@ -3,10 +3,10 @@
 
 #pragma once
 
+#include <contrecoup/base/system/names.h>
 #include <contrecoup/numerics/element/hex8_geometry.h>
 
-#include <string>
-#include <vector>
+#include <array>
 
 /**
  * @file
@@ -21,16 +21,21 @@ namespace contrecoup
 enum class HourglassKind
 {
   none,
-  viscous,       ///< forces proportional to the rate of the modes
-  stiffness,     ///< the same stiffness for all modes
-  assumed_strain ///< stiffness of a brick in bending and torsion
+  viscous,
+  stiffness,
+  assumed_strain
 };
 
-/// Names in parameter files, in the order of the enumeration.
-const std::vector<std::string> &hourglass_names();
-
-/// @throws InputError that suggests the nearest name
-HourglassKind find_hourglass(const std::string &name);
+/// All hourglass controls, for entry and help text.
+inline constexpr std::array<NamedChoice<HourglassKind>, 4> hourglass_controls{
+  {{HourglassKind::none, "none", "lets the modes grow freely"},
+   {HourglassKind::viscous, "viscous", "resists the rate of the modes"},
+   {HourglassKind::stiffness,
+    "stiffness",
+    "has the same stiffness for all modes"},
+   {HourglassKind::assumed_strain,
+    "assumed strain",
+    "has the stiffness of a brick in bending and torsion"}}};
 
 /// Hourglass control of one material. Forces act on modal values, which are 8
 /// times the amplitudes.

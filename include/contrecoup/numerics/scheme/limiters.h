@@ -4,28 +4,52 @@
 #pragma once
 
 #include <contrecoup/base/lanes/lane_math.h>
+#include <contrecoup/base/system/names.h>
 
-#include <string>
-#include <vector>
+#include <array>
 
 namespace contrecoup
 {
-/// Slope limiters, in the order of slope_limiter_names().
+/// Slope limiters; slope_limiters describes each.
 enum class SlopeLimiter
 {
-  none,       ///< central difference, for smooth flow only
-  minmod,     ///< the smaller of both differences (Roe 1986)
-  van_albada, ///< smooth (van Albada et al. 1982)
-  van_leer,   ///< harmonic mean (van Leer 1974)
-  mc,         ///< central, at most twice either difference (van Leer 1977)
-  superbee    ///< the largest TVD slope (Roe 1986)
+  none,
+  minmod,     ///< Roe 1986
+  van_albada, ///< van Albada et al. 1982
+  van_leer,   ///< van Leer 1974
+  mc,         ///< van Leer 1977
+  superbee    ///< Roe 1986
 };
 
-/// Names of all slope limiters.
-std::vector<std::string> slope_limiter_names();
+struct SlopeLimiterDescription : NamedChoice<SlopeLimiter>
+{
+  /// Whether slopes lie between zero and twice the smaller difference.
+  bool is_tvd;
+};
 
-/// The limiter with this name. @throws InputError for an unknown name
-SlopeLimiter parse_slope_limiter(const std::string &name);
+/// All slope limiters. Entry, help text and tests take them from here.
+inline constexpr std::array<SlopeLimiterDescription, 6> slope_limiters{
+  {{{SlopeLimiter::none,
+     "none",
+     "takes the central difference, for smooth flow only"},
+    false},
+   {{SlopeLimiter::minmod,
+     "minmod",
+     "takes the smaller of both differences and smears most"},
+    true},
+   {{SlopeLimiter::van_albada, "van albada", "is smooth"}, true},
+   {{SlopeLimiter::van_leer,
+     "van leer",
+     "takes the harmonic mean, smooth as well"},
+    true},
+   {{SlopeLimiter::mc,
+     "mc",
+     "takes the central difference, at most twice either, and is sharper"},
+    true},
+   {{SlopeLimiter::superbee,
+     "superbee",
+     "takes the largest TVD slope and steepens contacts"},
+    true}}};
 
 /// The argument of smaller magnitude if both have the same sign, else zero.
 template <typename Number>

@@ -4,25 +4,28 @@
 #pragma once
 
 #include <contrecoup/base/lanes/lane_math.h>
+#include <contrecoup/base/system/names.h>
 
+#include <array>
 #include <limits>
-#include <string>
-#include <vector>
 
 namespace contrecoup
 {
 /// Gradient limiters for meshes of any shape.
 enum class GradientLimiter
 {
-  barth_jespersen, ///< no new extremum at any face (Barth, Jespersen 1989)
-  venkatakrishnan  ///< smooth, weaker limiting near plateaus (1993)
+  barth_jespersen, ///< Barth and Jespersen 1989
+  venkatakrishnan  ///< 1993
 };
 
-/// Names of all gradient limiters.
-std::vector<std::string> gradient_limiter_names();
-
-/// The limiter with this name. @throws InputError for an unknown name
-GradientLimiter parse_gradient_limiter(const std::string &name);
+/// All gradient limiters, for entry and help text.
+inline constexpr std::array<NamedChoice<GradientLimiter>, 2> gradient_limiters{
+  {{GradientLimiter::barth_jespersen,
+    "barth jespersen",
+    "allows no new extremum at any face"},
+   {GradientLimiter::venkatakrishnan,
+    "venkatakrishnan",
+    "is smooth and limits less near plateaus"}}};
 
 /**
  * Factor in [0, 1] on a cell's gradient that one of its faces requires; the

@@ -3,28 +3,63 @@
 
 #pragma once
 
+#include <contrecoup/base/system/names.h>
 #include <contrecoup/numerics/scheme/hll_flux.h>
-
-#include <string>
-#include <vector>
 
 namespace contrecoup
 {
-/// Numerical fluxes.
+/// Numerical fluxes; riemann_fluxes describes each.
 enum class RiemannFlux
 {
-  /// resolves contacts and shear; prone to carbuncles at grid-aligned shocks
   hllc,
-  hll,              ///< two waves: robust, smears contacts and shear
-  rusanov,          ///< one wave speed: most diffusive
-  hllc_shock_stable ///< HLLC, blended with HLL along grid-aligned shocks
+  hll,
+  rusanov,
+  hllc_shock_stable
 };
 
-/// Names of all fluxes.
-std::vector<std::string> riemann_flux_names();
+/// A numerical flux and its properties, for kernels and tests.
+struct RiemannFluxDescription : NamedChoice<RiemannFlux>
+{
+  /// Whether the flux depends on the shear_factor of numerical_flux().
+  bool has_shear_factor;
+  /// Whether a contact at rest stays as it is.
+  bool keeps_contacts;
+  /// Whether it is the flux of the upwind side in supersonic flow.
+  bool is_upwind;
+};
 
-/// The flux with this name. @throws InputError for an unknown name
-RiemannFlux parse_riemann_flux(const std::string &name);
+/// All fluxes. Entry, help text, kernels and tests take them from here.
+inline constexpr std::array<RiemannFluxDescription, 4> riemann_fluxes{
+  {{{RiemannFlux::hllc,
+     "hllc",
+     "keeps contacts and shear sharp, but lets disturbances of shocks along "
+     "faces grow (carbuncle)"},
+    false,
+    true,
+    true},
+   {{RiemannFlux::hll, "hll", "is robust and smears contacts and shear"},
+    false,
+    false,
+    true},
+   {{RiemannFlux::rusanov, "rusanov", "is robust and smears most"},
+    false,
+    false,
+    false},
+   {{RiemannFlux::hllc_shock_stable,
+     "hllc shock stable",
+     "is hllc, blended with hll along shocks, where it suppresses the "
+     "carbuncle"},
+    true,
+    true,
+    true}}};
+
+constexpr bool has_shear_factor(const RiemannFlux kind)
+{
+  for (const RiemannFluxDescription &flux : riemann_fluxes)
+    if (flux.kind == kind)
+      return flux.has_shear_factor;
+  return false;
+}
 
 namespace internal
 {
@@ -169,7 +204,7 @@ namespace internal
  * = c = 0) is allowed. HLLC falls back to HLL in lanes with an inadmissible
  * middle state.
  *
- * @param shear_factor for hllc_shock_stable only: weight of HLLC in [0, 1]
+ * @param shear_factor for fluxes that have one: weight of HLLC in [0, 1]
  * from shear_factor(); the rest is HLL. 1 is bitwise HLLC.
  */
 template <int dim, typename Number>
