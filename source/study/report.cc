@@ -143,7 +143,9 @@ namespace
             << (i >= limits.size() || !limits[i] ? ""
                 : values[i] < 0.                 ? "≤ "
                                                  : "≥ ")
-            << (i < values.size() ? number_text(values[i], 4) : outcome)
+            << (i >= values.size()         ? outcome
+                : std::isfinite(values[i]) ? number_text(values[i], 4)
+                                           : "unknown")
             << " |";
       out << '\n';
     };

@@ -81,7 +81,7 @@ results.probe_1_peak_overpressure > 9.22e6;\
 results.probe_1_peak_overpressure < 10.17e6;\
 results.probe_1_arrival > 5.31e-5;results.probe_1_arrival < 5.334e-5")
 
-# The model's bias by scenes (source/coupling/scene/model_bias.cc) is that of runs,
+# The model's bias by scenes (source/coupling/application/model_bias.cc) is that of runs,
 # within 0.01.
 blast_burns(bias_tnt verification/explosive_bias
   "errors.probe_3_peak_overpressure_relative < 0.056;\

@@ -431,6 +431,10 @@ def accepted():
            shipped(SCENE, near, entry("Scene/Cell size", "0.03")),
            "Scene/Cell size = 0.03 m is an upper bound: cells are 160 mm over a "
            "power of two, 20 mm")
+    yield ("cells that a short wave halves", "scene",
+           shipped(SCENE, entry("Charge/Mass", "0.1"),
+                   entry("Charge/Distance", "0.7")),
+           "Scene/Cell size = 0.02 m is cheaper, with larger errors")
     yield ("no entry", "blast", b"# nothing\n", "sets no entry")
     yield ("late ignition", "blast",
            shipped(BURN, entry("Charges/Charge 1/Ignition times", "1")),

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/coupling/scene/model_bias.h>
+#include <contrecoup/base/parameters/parameter_file.h>
+#include <contrecoup/base/parameters/parameter_tree.h>
+#include <contrecoup/coupling/application/model_bias.h>
+#include <contrecoup/coupling/first_stage/staged_simulation.h>
+#include <contrecoup/materials/explosives.h>
 
 #include <gtest/gtest.h>
 
@@ -12,13 +16,16 @@ using namespace contrecoup::coupling;
 
 namespace
 {
-SceneParameters scene_of(const std::string &explosive, const double mass)
+/// The warning of a run in 1-D with these entries.
+std::vector<std::string> warning_of(const std::vector<std::string> &lines)
 {
-  SceneParameters scene;
-  scene.explosive = find_explosive(explosive);
-  scene.mass = mass;
-  scene.has_usual_afterburn = true;
-  return scene;
+  dealii::ParameterHandler prm;
+  StagedSimulation<3>::declare_parameters(prm);
+  std::vector<Assignment> assignments;
+  for (const std::string &line : lines)
+    assignments.push_back(parse_override(line));
+  apply_assignments(assignments, prm);
+  return warn_of_bias(prm);
 }
 } // namespace
 
@@ -28,7 +35,7 @@ TEST(ModelBias, IsKnownForAllExplosivesOfTheLibrary)
   for (const std::string &name : explosive_names())
     for (const double distance : {1., 2.5, 6.})
     {
-      const ModelBias bias = model_bias(scene_of(name, 1.), distance);
+      const ModelBias bias = model_bias({name, 1.}, distance);
       EXPECT_LT(std::abs(bias.peak), 0.4) << name;
       EXPECT_LT(std::abs(bias.impulse), 0.4) << name;
       EXPECT_LT(std::abs(bias.duration), 0.6) << name;
@@ -38,7 +45,7 @@ TEST(ModelBias, IsKnownForAllExplosivesOfTheLibrary)
 
 TEST(ModelBias, ScalesWithTheCubeRootOfTheMassInStepsOfAPerCent)
 {
-  const SceneParameters one = scene_of("tnt", 1.), eight = scene_of("tnt", 8.);
+  const BiasedBurst one = {"tnt", 1.}, eight = {"tnt", 8.};
   EXPECT_DOUBLE_EQ(model_bias(one, 2.).impulse, model_bias(eight, 4.).impulse);
   for (const double distance : {1.5, 2., 3., 4.})
     EXPECT_NEAR(model_bias(one, distance * (1. - 1e-9)).peak,
@@ -57,7 +64,7 @@ TEST(ModelBias, IsInWholePerCents)
   for (const std::string &name : explosive_names())
     for (double distance = 1.; distance < 6.; distance *= 1.07)
     {
-      const double bias = model_bias(scene_of(name, 1.), distance).duration;
+      const double bias = model_bias({name, 1.}, distance).duration;
       EXPECT_NEAR(100. * bias, std::round(100. * bias), 1e-9) << name;
     }
 }
@@ -66,22 +73,52 @@ TEST(ModelBias, IsInWholePerCents)
 // Nobody measured other constants, other afterburn and other distances.
 TEST(ModelBias, IsUnknownForWhatWasNotMeasured)
 {
-  SceneParameters scene = scene_of("tnt", 1.);
-  EXPECT_TRUE(std::isnan(model_bias(scene, 0.9).peak));
-  EXPECT_TRUE(std::isnan(model_bias(scene, 6.1).impulse));
-  EXPECT_EQ(in_words(model_bias(scene, 6.1)),
+  BiasedBurst burst = {"tnt", 1.};
+  EXPECT_TRUE(std::isnan(model_bias(burst, 0.9).peak));
+  EXPECT_TRUE(std::isnan(model_bias(burst, 6.1).impulse));
+  EXPECT_EQ(in_words(model_bias(burst, 6.1)),
             "unknown: it was measured from 1 to 6 m/kg^(1/3) alone");
-  EXPECT_EQ(in_words(model_bias(scene, 2., true)),
+  burst.is_on_ground = true;
+  EXPECT_EQ(in_words(model_bias(burst, 2.)),
             "unknown: it was measured for charges in free air alone");
-  scene.has_usual_afterburn = false;
-  EXPECT_TRUE(std::isnan(model_bias(scene, 2.).peak));
-  EXPECT_EQ(in_words(model_bias(scene, 2.)),
+  burst.has_usual_afterburn = false;
+  EXPECT_TRUE(std::isnan(model_bias(burst, 2.).peak));
+  EXPECT_EQ(in_words(model_bias(burst, 2.)),
             "unknown: it was not measured for afterburn of the user's own");
-  scene = scene_of("tnt", 1.);
-  scene.custom_entries = {{"Like", "tnt"}};
-  EXPECT_TRUE(std::isnan(model_bias(scene, 2.).peak));
-  EXPECT_EQ(in_words(model_bias(scene, 2.)),
+  burst = {"tnt", 1., true};
+  EXPECT_TRUE(std::isnan(model_bias(burst, 2.).peak));
+  EXPECT_EQ(in_words(model_bias(burst, 2.)),
             "unknown: it was not measured for constants of the user's own");
   EXPECT_EQ(in_words(ModelBias{-0.034, 0.125, -0.38}),
             "peak -3 %, impulse +13 %, duration -38 %");
+}
+
+
+// Lungs are judged by impulses and durations that the model has too small.
+TEST(ModelBias, IsAWarningOfRunsWithInjuries)
+{
+  const std::vector<std::string> anfo = {
+    "Domain/Dimension=1",
+    "Material/Equation of state=jwl in air",
+    "Material/Explosive=anfo",
+    "Charges/Charge 1/Mass=8",
+    "Probes/Points=2; 30",
+    "Probes/Injury=true"};
+  const auto lines = warning_of(anfo);
+  ASSERT_EQ(lines.size(), 1U);
+  EXPECT_NE(lines[0].find("WARNING: Material/Explosive = anfo: 2 m from the "
+                          "charge"),
+            std::string::npos);
+  EXPECT_NE(lines[0].find("peak -9 %, impulse -28 %, duration -58 %"),
+            std::string::npos);
+  for (const char *other : {"Probes/Injury=false",
+                            "Probes/Points=30",
+                            "Material/Explosive=tnt",
+                            "Charges/Afterburn/Kind=miller",
+                            "Charges/Charge 2/Mass=1"})
+  {
+    std::vector<std::string> changed = anfo;
+    changed.push_back(other);
+    EXPECT_TRUE(warning_of(changed).empty()) << other;
+  }
 }

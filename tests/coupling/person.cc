@@ -115,9 +115,7 @@ TEST(Person, SaysWhereTheChargeIs)
 {
   for (const auto &[rotation, words] : std::map<std::string, std::string>{
          {"0, 0, 0", "straight ahead of the person"},
-         {"0, 0, -30",
-          "before the person's front, 30 degrees to the left of where the "
-          "person faces"},
+         {"0, 0, -30", "30 degrees to the left of where the person faces"},
          {"0, 0, 180", "straight behind the person"},
          {"0, 0, -179.8", "straight behind the person"},
          {"0, 90, 0", "beyond the person's head"},
@@ -129,9 +127,10 @@ TEST(Person, SaysWhereTheChargeIs)
       person_by({"Rotation=" + rotation}, {0., 0., 5.}).charge_in_words(),
       "straight before the person's " + side);
   EXPECT_EQ(person_by({"Kind=shape"}).charge_in_words(), "");
-  EXPECT_EQ(person_by({"Kind=image", "Rotation=0, 0, -30"}).charge_in_words(),
-            "before the person's front, 30 degrees to the left of where the "
-            "person faces (the front of the image, +y of its header)");
+  EXPECT_EQ(
+    person_by({"Kind=image", "Rotation=0, 0, -30"}).charge_in_words(),
+    "30 degrees to the left of where the person faces (the front of the image, "
+    "+y of its header)");
 }
 
 

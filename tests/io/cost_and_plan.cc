@@ -4,6 +4,7 @@
 #include <contrecoup/base/run/time_parameters.h>
 #include <contrecoup/base/system/log.h>
 #include <contrecoup/base/system/processor_time.h>
+#include <contrecoup/base/system/text.h>
 #include <contrecoup/io/application/cost_forecast.h>
 #include <contrecoup/io/application/cost_laws.h>
 #include <contrecoup/io/application/trial_run.h>
@@ -247,7 +248,8 @@ TEST(Plan, SaysWhyFiguresOfTheCostAreBlank)
             "  body: steps, wall time and output are unknown: it deforms");
   EXPECT_EQ(lines[7],
             "  all: memory, wall time and output are unknown with those of "
-            "blast, body");
+            "blast, body; the others take " +
+              duration(mesh.seconds));
   blast = body;
   blast.steps = blast.seconds = blast.output = 10.;
   body.output = body.steps = 10.;

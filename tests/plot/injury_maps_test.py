@@ -74,17 +74,32 @@ class InjuryMapsTest(unittest.TestCase):
         coarser["eardrum_rupture"][0][:, 2] = 0.
         coarser["lung_lethality"][0][:] = 0.
         self.write(coarser, os.path.join(self.folder, "coarser_blast"))
-        self.assertIn("eardrums would rupture on 1.25 m² (by the numerics 0.449 "
-                      "to 1.75 m², unknown on a further 0.250 m²)", told())
-        self.assertIn("people would die on 1.00 m² (by the numerics 0 to "
-                      "1.50 m², unknown on a further 0.500 m²)", told())
-        self.assertIn("4 psi are exceeded on 1.25 m² (by the numerics 1.23 to "
-                      "1.27 m², unknown on a further 0.250 m²)", told())
+        self.assertIn("eardrums would rupture on at least 1.25 m² (it continues "
+                      "beyond the plane, by the numerics at least 0.449 m², "
+                      "unknown on a further 0.250 m²)", told())
+        self.assertIn("people would die on at least 1.00 m² (it continues beyond "
+                      "the plane, by the numerics at least 0 m², unknown on a "
+                      "further 0.500 m²)", told())
+        self.assertIn("4 psi are exceeded on at least 1.25 m² (it continues beyond "
+                      "the plane, by the numerics at least 1.23 m², unknown on a "
+                      "further 0.250 m²)", told())
         # Places that one of both does not know are no difference between them.
         coarser["lung_lethality"][0][:, 1:3] = np.nan
         self.write(coarser, os.path.join(self.folder, "coarser_blast"))
-        self.assertIn("people would die on 1.00 m² (error unknown: the "
-                      "coarser run knows other places, unknown", told())
+        self.assertIn("people would die on at least 1.00 m² (it continues beyond "
+                      "the plane, error unknown: the coarser run knows other "
+                      "places, unknown", told())
+
+    def test_areas_within_the_plane(self):
+        """What ends before each side that is no plane of symmetry."""
+        maps = self.maps(fields())["gauges_plane_1"]
+        plane = maps["eardrum_rupture"]
+        plane.values = np.zeros_like(plane.values)
+        self.assertFalse(injury_maps.goes_beyond(maps, "eardrum_rupture", 0.5))
+        plane.values[0, 1] = 1.
+        self.assertTrue(injury_maps.goes_beyond(maps, "eardrum_rupture", 0.5))
+        plane.mirror([("xyz".index(plane.axes[1]), plane.lower[1])])
+        self.assertFalse(injury_maps.goes_beyond(maps, "eardrum_rupture", 0.5))
 
     def test_groups(self):
         """Injuries, where there are any, stand next to maps of the blast."""
@@ -126,7 +141,8 @@ class InjuryMapsTest(unittest.TestCase):
         told = "".join(map(str, blast_sections.people(Scene(self.folder))))
         self.assertIn("in the plane y = 0 m of gauges (4.00 m² with its mirror "
                       "image), as if", told)
-        self.assertIn("4 psi are exceeded on 2.50 m² (unknown on a further 0.500 "
+        self.assertIn("4 psi are exceeded on at least 2.50 m² (it continues "
+                      "beyond the plane, unknown on a further 0.500 "
                       "m²). ", told)
 
     def test_area_unknown(self):
@@ -251,7 +267,8 @@ class InjuryMapsTest(unittest.TestCase):
         tiny_scene.write(os.path.join(self.folder, "blast", "parameters.prm"),
                          "subsection Loads\n  set Body mass = 125\nend\n")
         text = "".join(map(str, blast_sections.people(Scene(self.folder))))
-        self.assertIn("half of the eardrums would rupture on 1.25 m² (unknown "
+        self.assertIn("half of the eardrums would rupture on at least 1.25 m² "
+                      "(it continues beyond the plane, unknown "
                       "on a further 0.250 m²)", text)
         self.assertIn("9 August 2024", text)
         self.assertIn("Lungs of people of 125\u00a0kg by side-on", text)
@@ -260,11 +277,12 @@ class InjuryMapsTest(unittest.TestCase):
             "subsection Injury\n  subsection Measure ear_rupture\n"
             "    set Thresholds = 0.3: too loud\n  end\nend\n")
         text = "".join(map(str, blast_sections.people(Scene(self.folder))))
-        self.assertIn("rupture of an eardrum above 30\u00a0% (too loud) on 1.25 m²",
+        self.assertIn("rupture of an eardrum above 30\u00a0% (too loud) on at "
+                      "least 1.25 m²",
                       text)
         self.assertNotIn("half of the eardrums", text)
         self.assertIn("half of the people would die on", text)
-        self.assertIn("thresholds of the user&#x27;s own for rupture", text)
+        self.assertIn("thresholds of the user&#39;s own for rupture", text)
 
     def test_reflections_by_open_sides(self):
         """Are told with place and time, also where they do not reach the

@@ -131,7 +131,7 @@ class ReportTest(unittest.TestCase):
                 "Energy of the body", "Conservation of the gas",
                 "Assumptions", "Accuracy", "The body's mesh",
                 "Cost", "How to reproduce"):
-            self.expect(self.page, f"  {html.escape(section)}</h2>")
+            self.expect(self.page, f"  {html_page.escape(section)}</h2>")
         self.assertEqual(self.page.count("<figure"), 15)
         self.assertEqual(self.page.count("<figure"),
                          self.page.count("<figcaption>"))
@@ -247,7 +247,7 @@ class ReportTest(unittest.TestCase):
         """Marks of HTML, dashes and quotes are no part of a value."""
         self.assertEqual(html_page.csv_text(
             ("a", "b", "c"), [
-                (html_page.Html("x<br>&lt;<b>y</b>"), "–",
+                (html_page.Markup("x<br>&lt;<b>y</b>"), "–",
                  html_page.quantity(1234.5678, "Pa")),
                 ('"q", r', html_page.percent(0.123456789),
                  html_page.quantity(1e-7, "Pa"))]),

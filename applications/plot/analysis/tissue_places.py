@@ -45,6 +45,10 @@ class Place:
         self.point, self.tissue, self.name = point, tissue, name
         self.remark = ""  # on what is there instead, or THIN
 
+    def is_in(self, probes):
+        """Whether probes.csv of a run has it."""
+        return self.column + "pressure" in probes
+
     def pressure(self, probes):
         """Over time, of probes.csv of biomechanics [Pa]."""
         return tables.tissue_pressure(probes, self.column)
@@ -59,6 +63,20 @@ def is_thin(scene, name):
     so in what the run says of it; unknown of scenes before 0.2.0."""
     return bool(scene.biomechanics.found(
         "checks", "thin_" + name.replace(" ", "_")))
+
+
+def holes(scene):
+    """A sentence on the layers in which the elements leave holes; none on the
+    spinal cord, which nothing is judged by."""
+    begin = "thin_"
+    found = [name[len(begin):].replace("_", " ")
+             for name in scene.biomechanics.summary.get("checks") or {}
+             if name.startswith(begin) and name != begin + "spinal_cord"
+             and is_thin(scene, name[len(begin):])]
+    return [f"The elements leave holes in {' and '.join(found)}: pressures and "
+            "strains inside and the motion of the head are those of such a body; "
+            "estimated errors do not include it (entry Scene/Element size)."] \
+        if found else []
 
 
 def thin_note(titles):

@@ -58,6 +58,17 @@ def area_unknown(maps, name):
     return _area_where(maps[name], ~_known(maps, name))
 
 
+def goes_beyond(maps, name, level):
+    """Whether a quantity exceeds a level at a side of the plane that is no plane
+    of symmetry: the area where it does is larger than that of the plane."""
+    plane = maps[name]
+    above = _known(maps, name) & (np.nan_to_num(plane.values) > level)
+    sides = {(0, 0): above[:, 0], (0, 1): above[:, -1],
+             (1, 0): above[0], (1, 1): above[-1]}
+    return any(side.any() for key, side in sides.items()
+               if key not in plane.mirrored)
+
+
 def area_of_limits(maps):
     """Area of the plane [m^2] where the velocity of the chest wall is a lower
     limit."""

@@ -165,9 +165,15 @@ def draw_curve(axis, study, across, column, lines):
     arrows = {mark_lower_limit(axis, row["numbers"][across],
                                value(row, column) * scale,
                                value(row, column) < 0.) for row in limits}
-    if arrows:
-        axis.set_title(f"{' '.join(sorted(arrows))} cut off by the end of the "
-                       "run", fontsize=8)
+    notes = [f"{' '.join(sorted(arrows))} cut off by the end of the run"] \
+        if arrows else []
+    unknown = [row["numbers"][across] for row in study["rows"]
+               if value(row, column) is None]
+    for place in unknown:
+        axis.axvline(place, color=style.GREY, linestyle=":", linewidth=0.8)
+    if unknown:
+        notes.append("dotted: unknown")
+    axis.set_title("; ".join(notes), fontsize=8)
     reference = study["reference_columns"]
     if reference and reference[column] is not None:
         axis.axhline(reference[column] * scale, color=style.GREY,

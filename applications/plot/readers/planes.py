@@ -23,6 +23,7 @@ class Plane:
         self.lower = image.lower
         self.upper = image.upper
         self.copies = 1  # with the mirror images at planes of symmetry
+        self.mirrored = set()  # sides at these: axis, 0 lower or 1 upper
         if self.values.dtype.kind != "f":
             raise ValueError("no grid of numbers")
         if np.isinf(self.values).any():
@@ -46,9 +47,10 @@ class Plane:
             if "xyz"[axis] in self.axes:
                 own = self.axes.index("xyz"[axis])
                 near = 1e-6 * (self.upper[own] - self.lower[own])
-                if min(abs(self.lower[own] - place),
-                       abs(self.upper[own] - place)) < near:
-                    self.copies *= 2
+                for side, end in enumerate((self.lower[own], self.upper[own])):
+                    if abs(end - place) < near:
+                        self.copies *= 2
+                        self.mirrored.add((own, side))
 
     def positions(self):
         """Coordinates along the first axis [m]."""

@@ -168,7 +168,8 @@ def _limit(name, limit):
 def _area(scene, maps, coarse, name, level):
     """Where a quantity exceeds a level, in words."""
     found = injury_maps.area_above(maps, name, level)
-    doubts = []
+    goes_on = injury_maps.goes_beyond(maps, name, level)
+    doubts = ["it continues beyond the plane"] if goes_on else []
     if name in coarse:
         here, there = injury_maps.common_areas_above(maps, coarse, name, level)
         known_there = injury_maps.area_above(coarse, name, level)
@@ -178,11 +179,12 @@ def _area(scene, maps, coarse, name, level):
         if here < COMMON * found or there < COMMON * known_there:
             doubts.append("error unknown: the coarser run knows other places")
         elif str(low) != str(high):
-            doubts.append(f"by the numerics {low} to {high} m²")
+            doubts.append(f"by the numerics at least {low} m²" if goes_on else
+                          f"by the numerics {low} to {high} m²")
     unknown = injury_maps.area_unknown(maps, name)
     if unknown > 0.:
         doubts.append(f"unknown on a further {page.number(unknown)} m²")
-    return f" on {page.number(found)} m²" + (
+    return f" on {'at least ' * goes_on}{page.number(found)} m²" + (
         f" ({', '.join(doubts)})" if doubts else "")
 
 

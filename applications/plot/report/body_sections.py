@@ -4,6 +4,7 @@
 mesh."""
 
 import os
+import statistics
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -13,7 +14,7 @@ from matplotlib.colors import Normalize
 from plot.readers import fields, files
 from plot.analysis import person, signals, tissue_places, wave_times
 from plot.figures import body_cuts, style
-from plot.report import page
+from plot.report import error_estimate, page
 from plot.report.energy_audit import EnergyAudit
 
 OFF = 1e-4  # of cuts from the plane of symmetry, where elements have faces [m]
@@ -232,27 +233,55 @@ def histories(scene):
            "the side of the charge and opposite, a few elements within its "
            "surface." if brain else ""), "svg")]
     rows = []
-    for place in places:
-        lowest, highest = signals.extremes(place.pressure(probes))
+    coarser = scene.coarser and scene.coarser.biomechanics.table("probes.csv")
+    extremes = [signals.extremes(place.pressure(probes)) for place in places]
+    others = [_extremes_of(place, coarser) for place in places]
+    errors = [_errors(scene, *one) for one in zip(zip(*extremes), zip(*others))]
+    for place, (lowest, highest), low_error, high_error in zip(
+            places, extremes, *errors):
         strain = probes[place.column + "principal_strain"]
         shift = np.sqrt(sum(probes[f"{place.column}displacement_{axis}"] ** 2
                             for axis in "xyz"))
         rows.append((
             place.title(), page.point([round(x, 3) + 0. for x in place.point]),
-            page.number(1e-3 * highest), page.number(1e-3 * lowest),
+            page.number(1e-3 * highest), high_error,
+            page.number(1e-3 * lowest), low_error,
             page.number(1e-3 * float(
                 probes[place.column + "von_mises_stress"].max())),
             page.number(100. * float(strain.max())),
             page.number(1e3 * float(shift.max()))))
     parts.append(page.table(
         ("place", "x, y, z [m]", "maximum pressure [kPa]",
-         "minimum pressure [kPa]", "von Mises stress [kPa]",
+         "error of the maximum", "minimum pressure [kPa]",
+         "error of the minimum", "von Mises stress [kPa]",
          "largest strain [%]", "displacement [mm]"), rows,
         "Extremes over the run. Pressures are averaged over the elements of "
         "the same tissue around each place; stress and strain are of single "
-        "elements." + tissue_places.thin_note(
-            [place.title() for place in places]), numbers=range(1, 7)))
+        "elements. " + ("Errors are from the coarser run, each at least "
+                        "the median over all places."
+                        if coarser is not None else
+                        "The numerical error is unknown.") + tissue_places.thin_note(
+            [place.title() for place in places]), numbers=range(1, 9)))
     return parts
+
+
+def _extremes_of(place, probes):
+    """Least and largest pressure [Pa] by the probes of the coarser run; None
+    each without that place."""
+    if probes is None or not place.is_in(probes):
+        return None, None
+    return signals.extremes(place.pressure(probes))
+
+
+def _errors(scene, values, coarser):
+    """Estimated errors of values at several places, each at least the median, as
+    those of gauges; "unknown" where the coarser run has none."""
+    found = [None if other is None else
+             error_estimate.of(scene, "injury_", value, other)[0]
+             for value, other in zip(values, coarser)]
+    known = [one for one in found if one is not None]
+    return ["unknown" if one is None else
+            page.error(max(one, statistics.median(known))) for one in found]
 
 
 def _cavitation(scene):

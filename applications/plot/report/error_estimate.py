@@ -24,7 +24,7 @@ def of_gauges(fine, coarse, ratio, other_phases=()):
     Scene.gauge_measures()) and the ratio of their cells. Two runs can agree at
     a place by chance: no error is smaller than LEAST, or than the median of its
     measure over all gauges. Measures that are missing or not positive have
-    none, nor have impulse and phase where one run alone cuts them off or has
+    none, nor have impulse and phase where a run cuts them off or one alone has
     more waves in the phase, as at the gauges @p other_phases."""
     times = 1. / (ratio ** ORDER - 1.)
     errors = {gauge: {} for gauge in fine}
@@ -34,7 +34,7 @@ def of_gauges(fine, coarse, ratio, other_phases=()):
                 one.get(key, math.nan) for one in (measures, coarse.get(gauge, {}))
                 for key in (name, "cut off"))
             if name != "peak" and (gauge in other_phases
-                                   or is_cut + is_other_cut == 1.):
+                                   or is_cut + is_other_cut >= 1.):
                 continue
             if value > 0. and math.isfinite(other):
                 errors[gauge][name] = times * abs(other / value - 1.)
@@ -134,7 +134,9 @@ def section(scene, judged):
         return page.paragraph(
             "The numerical error of this scene is unknown: it has no finished "
             "coarser run (Scene/Error estimate).")
-    rows = list(_rows_of_skin(scene)) if scene.asks_for_loads() else []
+    has_errors = any(entry.error is not None for entry in judged)
+    rows = [] if has_errors and not scene.asks_for_loads() else \
+        list(_rows_of_skin(scene))
     for entry in judged:
         if entry.error is None:
             continue

@@ -610,6 +610,10 @@ def injury(run, judged):
                  "measures of the whole head: parts of the brain are the same "
                  "on all sides of a plane of symmetry, the skull moves along "
                  "it and turns about its normal, with two planes not at all.")
+    if run.has_particles():
+        told += (" Next to a wall that the head touches, pressures by particles "
+                 "alternate from cell to cell: those of thin layers are to be "
+                 "read as means over two cells.")
     return [injury_table.table_of(judged), page.paragraph(
         told + " Thresholds are given as they are commonly cited.",
         kind="note")]
@@ -638,7 +642,9 @@ def assumptions(run):
     parts.append(page.paragraph(
         "The head has neither neck nor membranes nor vessels, its layers "
         + ("slip along each other without parting" if slips(run) else
-           "are bonded") + ", and planes are rigid."))
+           "are bonded") + ", planes are rigid, and nothing breaks, however "
+        "large its strain: beyond that of the first fracture, forces and "
+        "accelerations are those of an unbroken skull."))
     return parts
 
 

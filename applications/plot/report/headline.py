@@ -5,7 +5,7 @@ what could change it, and the warnings of the runs."""
 
 import re
 
-from plot.analysis import person
+from plot.analysis import person, tissue_places
 from plot.readers import files
 from plot.readers.scene import COARSER
 from plot.report import (error_estimate, injury_table, least_phases,
@@ -374,6 +374,7 @@ def _certainty(scene, judged):
     parts += _tables(scene, judged) + _verdicts(scene, judged)
     parts += injury_table.cut_off(judged, "Scene/End time",
                                   scene.fact("end_time"))
+    parts += tissue_places.holes(scene)
     parts += _afterburn(scene) + _model_bias(scene)
     parts += _loads(scene) + EnergyAudit(scene).reservations() + _limits(scene)
     parts += _ground(scene)
@@ -475,12 +476,14 @@ def _tables(scene, judged):
     if other is not None and not disagrees:
         load, known, place = other
         limit, meaning = load.thresholds[0]
+        beside = reflections.beside_tables(scene)
         sides = ("above", "below") if load.exceeded(known) else \
             ("below", "above")
         chances.append(
             f"the load on the lung{_at_trunk(scene)} is {page.number(known)}"
             f"{place}, {sides[0]} the {meaning} of {load.shown_limit(limit)}, where this "
-            f"run has {load.shown()}, {sides[1]} it")
+            f"run has {load.shown()}, {sides[1]} it"
+            + (f"; the tables are{beside}" if beside else ""))
     ear = verdict.other_ears(judged)
     if ear is not None:
         low, high = map(ear.shown, ear.tables)

@@ -28,8 +28,9 @@ SKIN_NAMES = {("chest_wall_velocity", "trunk"): "chest_wall_mean",
 # body.
 AIR_NAMES = {"lung_exposure": "lung_exposure_air",
              "lung_lethality": "lung_lethality"}
-# Beyond this, relative to the nearest skin, the trunk is not where the probe is.
-FARTHER = 1.15
+# Beyond these, relative to the nearest skin, ears and trunk are not where the
+# probe is; loads of lungs rise steeply.
+FARTHER, FARTHER_TRUNK = 1.15, 1.05
 # Told with the checks of the run.
 NO_INJURY = ("injury_pressure_roughness",)
 PRESSURES = ("injury_intracranial_pressure_peak",
@@ -236,17 +237,17 @@ def why_by_the_skin(scene):
 def is_trunk_far(scene):
     """Whether chest, back and upper arms are farther from the charge than the
     nearest skin."""
-    return are_far(scene, (*SIDES, *ARMS.values()))
+    return are_far(scene, (*SIDES, *ARMS.values()), FARTHER_TRUNK)
 
 
-def are_far(scene, names):
+def are_far(scene, names, farther=FARTHER):
     """Whether all these gauges on the skin are farther from the charge than the
     nearest skin."""
     known, distance = scene.loads(), scene.fact("distance")
     places = known.places() if known is not None and distance else {}
     apart = [math.dist(scene.charge_place(), places[name])
              for name in names if name in places]
-    return bool(apart) and min(apart) > FARTHER * distance
+    return bool(apart) and min(apart) > farther * distance
 
 
 def of_file(name, measure, all_known):
@@ -389,8 +390,8 @@ def _row(entry):
     else:
         value += [page.escape(entry.shown_error()),
                   page.tag("small", f"due to {entry.error_of}")]
-    return (entry.title, page.Html("<br>".join(value)),
-            page.Html("<br>".join(lines)), _verdict(entry), entry.limits)
+    return (entry.title, page.Markup("<br>".join(value)),
+            page.Markup("<br>".join(lines)), _verdict(entry), entry.limits)
 
 
 def _data_row(entry):
@@ -421,10 +422,9 @@ def _verdict(entry):
     note = "" if certain is None else "; the error does not change this" \
         if certain else "; a threshold lies within the error"
     note += entry.tables and "; " + entry.shown_tables() or ""
-    return page.Html(page.tag("span", word, kind=severity(entry))
-                     + page.escape(note)
-                     + "".join(page.tag("small", "; " + words)
-                               for words in _chances(entry)))
+    return page.Markup().join((
+        page.tag("span", word, kind=severity(entry)), note,
+        *(page.tag("small", "; " + words) for words in _chances(entry))))
 
 
 def severity(entry):

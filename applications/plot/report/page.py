@@ -16,134 +16,24 @@ import re
 import struct
 import textwrap
 
+import jinja2
 import matplotlib.pyplot as plt
+from markupsafe import Markup, escape
 
 from plot.figures import style
 
+TEMPLATES = jinja2.Environment(
+    loader=jinja2.FileSystemLoader(
+        os.path.join(os.path.dirname(os.path.abspath(__file__)), "templates")),
+    autoescape=True, trim_blocks=True, lstrip_blocks=True,
+    undefined=jinja2.StrictUndefined)
 LONGEST_ANSWER = 10  # lines on the screen
-
-STYLE = """
-:root { --ink: #1d2329; --soft: #5b6570; --line: #d9dee3; --pale: #f4f6f8;
-        --accent: #0b5c8f; --bad: #a12a1c; --mid: #8a5a00; --good: #1f6b3a;
-        --none: #5b6570; }
-* { box-sizing: border-box; }
-body { font: 16px/1.5 "Segoe UI", "DejaVu Sans", Arial, sans-serif;
-       color: var(--ink); background: #fff; margin: 0 auto; max-width: 1060px;
-       padding: 24px 28px 60px; }
-h1 { font-size: 30px; line-height: 1.2; margin: 0 0 4px; }
-h2 { font-size: 21px; margin: 44px 0 10px; padding-bottom: 4px;
-     border-bottom: 2px solid var(--accent); }
-h3 { font-size: 16px; margin: 22px 0 6px; }
-p, li { max-width: 78ch; }
-.sub { color: var(--soft); margin: 0 0 18px; }
-.verdict { font-size: 23px; line-height: 1.3; font-weight: 600; }
-.first { display: grid; grid-template-columns: 400px minmax(0, 1fr);
-         gap: 0 24px; }
-.first figure { margin-top: 0; }
-.first td.number { white-space: normal; }
-@media screen and (max-width: 1000px) { .first { display: block; } }
-.doubts { font-size: 14.5px; }
-.doubts ul { padding-left: 20px; margin: 4px 0; }
-.answer { background: var(--pale); border-left: 5px solid var(--accent);
-          padding: 12px 20px; margin: 16px 0; font-size: 18px; }
-.answer p, .answer ul { margin: 8px 0; }
-.answer ul { padding-left: 22px; font-size: 16px; }
-.missing, .note { color: var(--soft); }
-a.csv { font-size: 13px; color: var(--accent); }
-nav { columns: 3 220px; font-size: 14px; margin: 12px 0 0; }
-nav a { display: block; color: var(--accent); text-decoration: none; }
-table { border-collapse: collapse; width: 100%; margin: 10px 0 6px;
-        font-size: 14px; line-height: 1.35; }
-th { text-align: left; background: var(--pale); font-weight: 600; }
-th, td { border-bottom: 1px solid var(--line); padding: 6px 9px;
-         vertical-align: top; }
-td.number, th.number { text-align: right; }
-td.number { white-space: nowrap; }
-td small { color: var(--soft); font-size: 12.5px; }
-caption { caption-side: bottom; text-align: left; color: var(--soft);
-          font-size: 13.5px; padding: 6px 0; }
-figure { margin: 16px 0 20px; }
-figure img { max-width: 100%; height: auto; display: block; }
-.picture { display: block; overflow-x: auto; }
-.picture input { position: absolute; opacity: 0; }
-figcaption { color: var(--soft); font-size: 13.5px; max-width: 95ch;
-             padding-top: 5px; }
-code, pre { font-family: "DejaVu Sans Mono", Consolas, monospace;
-            font-size: 13px; overflow-wrap: anywhere; }
-pre { background: var(--pale); padding: 10px 14px; white-space: pre-wrap; }
-.bad { color: var(--bad); font-weight: 600; }
-.mid { color: var(--mid); font-weight: 600; }
-.good { color: var(--good); font-weight: 600; }
-.none { color: var(--none); font-weight: 600; }
-details summary { cursor: pointer; color: var(--accent); }
-.paper { display: none; }
-/* On a narrow window a row stands as a card, each cell after its heading. */
-@media screen and (max-width: 900px) {
-  body { padding: 16px 14px 40px; overflow-wrap: break-word; }
-  h1 { font-size: 25px; }
-  .answer { padding: 8px 14px; font-size: 16px; }
-  td, td.number { white-space: normal; overflow-wrap: anywhere; }
-  .verdict { font-size: 19px; }
-  /* A touch of a picture shows it in its own size, in which it scrolls. */
-  .picture { cursor: zoom-in; }
-  .picture input:checked + img { max-width: none; }
-  .picture input:focus-visible + img { outline: 2px solid var(--accent); }
-  .large figcaption::after { content: " Touch the picture to enlarge it."; }
-  .wide { display: flex; flex-direction: column; }
-  .wide::before { content: attr(data-rows); color: var(--soft); }
-  .wide caption { order: 1; }
-  .wide col, .wide thead { display: none; }
-  .wide tbody, .wide tr, .wide td { display: block; width: auto; }
-  .wide tr { border-bottom: 2px solid var(--line); padding: 6px 0; }
-  .wide td { border: 0; padding: 2px 0 2px 14px; text-align: left; }
-  .wide td:first-child { padding-left: 0; font-weight: 600; }
-  .wide td:not(:first-child)::before {
-    content: attr(data-label); display: block; color: var(--soft);
-    font-size: 12.5px; }
-  .wide td.number:not(:first-child)::before {
-    content: attr(data-label) ": "; display: inline; }
-}
-@page { margin: 12mm; }
-@media print {
-  body { max-width: none; padding: 0; font-size: 9.5pt; line-height: 1.4; }
-  h1 { font-size: 19pt; }
-  h2 { font-size: 13.5pt; margin: 18px 0 6px; }
-  h3 { font-size: 11pt; margin: 12px 0 4px; }
-  h2, h3 { break-after: avoid; }
-  p, li { max-width: none; orphans: 3; widows: 3; margin-block: 5px; }
-  .answer { font-size: 10.5pt; padding: 6px 14px; }
-  .verdict { font-size: 13pt; }
-  .first { display: block; }
-  .answer ul { font-size: 9.5pt; }
-  table { font-size: 8pt; }
-  th, td { padding: 3px 5px; }
-  td small, td code { font-size: 7pt; }
-  caption, figcaption { font-size: 8pt; max-width: none; }
-  figure { margin: 8px 0 10px; }
-  figure img { max-width: 100%; max-height: 110mm; }
-  .picture { overflow: visible; }
-  .picture input { display: none; }
-  figure, tr { break-inside: avoid; }
-  nav, a.csv { display: none; }
-  .paper { display: inline; }
-  /* Paper cannot be unfolded. */
-  details.table::details-content { content-visibility: visible; }
-  details summary { list-style: none; color: var(--ink);
-                    break-after: avoid; }
-}
-"""
-
-
 # Resolution of all pictures of a page.
 DOTS_PER_INCH = 150
 WORDS = ("no", "one", "two", "three", "four", "five", "six", "seven", "eight",
          "nine", "ten", "eleven", "twelve")
 NARROW = 400.  # px, width of pictures that narrow windows show whole
 NAMELESS = "table.csv"  # until the section is known
-
-
-class Html(str):
-    """Text that is HTML already."""
 
 
 class Rounded(str):
@@ -156,17 +46,18 @@ class Rounded(str):
         return made
 
 
-def escape(text):
-    return text if isinstance(text, Html) else Html(html.escape(str(text)))
+def filled(template, **values):
+    """A file of templates/ with these values, which are escaped unless they are
+    HTML already."""
+    return Markup(TEMPLATES.get_template(template).render(values))
 
 
 def tag(name, *parts, **attributes):
     """An element; attribute "kind" is its class."""
-    kinds = "".join(
-        f' {"class" if key == "kind" else key}="{html.escape(str(value))}"'
+    kinds = Markup().join(
+        Markup(' {}="{}"').format("class" if key == "kind" else key, value)
         for key, value in attributes.items() if value)
-    return Html(f"<{name}{kinds}>{''.join(escape(part) for part in parts)}"
-                f"</{name}>")
+    return Markup(f"<{name}{kinds}>{Markup().join(parts)}</{name}>")
 
 
 def paragraph(*parts, kind=None):
@@ -331,22 +222,10 @@ def table(header, rows, caption=None, numbers=(), widths=(), data=None):
     data header and rows of the file where those of the table do not fit. Each
     cell knows its heading, which stands before it where the window is too
     narrow for columns."""
-    def cells(kind, row):
-        return tag("tr", *(
-            tag(kind, cell, kind="number" if column in numbers else None,
-                **({"data-label": header[column]} if kind == "td"
-                   else {"scope": "col"}))
-            for column, cell in enumerate(row)))
-    parts = [tag("caption", caption)] if caption else []
-    parts += [Html(f'<col style="width:{width}%">') for width in widths]
-    parts += [tag("thead", cells("th", header)),
-              tag("tbody", *(cells("td", row) for row in rows))]
     content = csv_text(*(data or (header, rows))).encode("utf-8")
-    link = tag("a", "Table as CSV", kind="csv", download=NAMELESS, href="data:text/csv;"
-               "charset=utf-8;base64," + base64.b64encode(content).decode())
-    wide = {"kind": "wide", "data-rows": header[0]} if len(header) > 2 else {}
-    return Html(tag("table", *parts, **wide)
-                + link)
+    return filled("table.html.j2", header=header, rows=rows, caption=caption,
+                  numbers=numbers, widths=widths, file=NAMELESS,
+                  content=base64.b64encode(content).decode())
 
 
 def csv_text(header, rows):
@@ -379,8 +258,8 @@ def _plain(cell):
     """A cell as text without HTML."""
     if isinstance(cell, Rounded):
         return str(cell.value)
-    if isinstance(cell, Html):
-        cell = html.unescape(re.sub("<[^>]*>", "", cell.replace("<br>", "; ")))
+    if isinstance(cell, Markup):
+        cell = html.unescape(re.sub("<[^>]*>", "", str(cell).replace("<br>", "; ")))
     return "" if cell == "–" else str(cell).replace("\u00a0", " ")
 
 
@@ -408,15 +287,11 @@ def figure(picture, description, caption, kind="png"):
     are best as "svg", pictures with many colours as "png"."""
     content = picture if isinstance(picture, bytes) else render(picture, kind)
     form = "image/svg+xml" if kind == "svg" else "image/png"
-    data = base64.b64encode(content).decode("ascii")
     width = _width_of(content)
-    image = Html(f'<img src="data:{form};base64,{data}" '
-                 f'alt="{html.escape(description, quote=True)}"'
-                 + (f' style="width:{width:.0f}px"' if width else "") + ">")
-    touch = Html('<input type="checkbox" aria-label="own size">')
-    return tag("figure", tag("label", touch, image, kind="picture"),
-               tag("figcaption", caption),
-               kind=None if 0. < _width_of(content) <= NARROW else "large")
+    return filled("figure.html.j2", form=form, description=description,
+                  content=base64.b64encode(content).decode("ascii"),
+                  width=width, caption=caption,
+                  is_large=not 0. < width <= NARROW)
 
 
 def _width_of(content):
@@ -474,31 +349,19 @@ class Page:
         return found
 
     def render(self):
-        links, body = [], []
-        for index, (name, parts) in enumerate(self.sections, 1):
-            anchor = f"section-{index}"
-            links.append(tag("a", f"{index}  {name}", href=f"#{anchor}"))
-            body.append(_name_files(name, tag(
-                "section", tag("h2", f"{index}  {name}"), *parts, id=anchor)))
-        head = Html('<head><meta charset="utf-8"><meta name="viewport" '
-                    'content="width=device-width, initial-scale=1">'
-                    f"<title>{html.escape(self.title)}</title>"
-                    f"<style>{STYLE}</style></head>")
-        return "<!DOCTYPE html>\n" + tag(
-            "html", head,
-            tag("body", tag("h1", self.title),
-                paragraph(self.subtitle, kind="sub"), tag(
-                    "main", *self.lead, tag("nav", *links), *body)),
-            lang="en") + "\n"
+        sections = [(name, _name_files(name, Markup().join(parts)))
+                    for name, parts in self.sections]
+        return filled("page.html.j2", title=self.title, subtitle=self.subtitle,
+                      lead=self.lead, sections=sections)
 
 
 def _name_files(section, content):
     """Names the CSV files of a section after it."""
     name = re.sub(r"[^a-z0-9]+", "_", section.lower()).strip("_")
-    parts = content.split(f'download="{NAMELESS}"')
+    parts = str(content).split(f'download="{NAMELESS}"')
     names = [name] if len(parts) == 2 else [
         f"{name}_{number}" for number in range(1, len(parts))]
-    return Html(parts[0] + "".join(
+    return Markup(parts[0] + "".join(
         f'download="{file}.csv"{part}' for file, part in zip(names,
                                                              parts[1:])))
 

@@ -97,6 +97,17 @@ def note(scene, probe="the probe"):
            if scene.blast.found("results", "probe_1_cut_off") else ""))
 
 
+def beside_tables(scene):
+    """What merged reflections add to the wave of the tables, a clause; "" where
+    none has merged."""
+    merged = [row for row in _rows(scene, least_phases.PROBE)
+              if row.get("merges")]
+    return "" if not merged else (
+        " without the merged reflection by the "
+        + page.joined(str(row.get("by")) for row in merged) + ", which adds "
+        + _rises(merged[0]))
+
+
 def note_on_people(scene):
     """By which peak people at the first probe are judged, as a sentence; "" if
     by that of the incident wave."""

@@ -269,7 +269,14 @@ def _lungs(judged):
     words = SOUND if here == NO_LEVEL else f"lung injury {here}"
     if entry.is_cut and here != SEVERE:
         words += " or worse"
-    return Verdict("lungs", words, injury_table.severity(entry), detail, entry)
+    kind, entries = injury_table.severity(entry), (entry,)
+    if words == SOUND and unsure:
+        # The load may be above its threshold, though the chest wall is below.
+        kind, entries = "mid", (entry, load)
+        bounds = " to ".join(map(load.shown, load.bounds()))
+        detail = "; ".join(filter(None, (
+            detail, f"{UNSURE}: load {bounds} of the median lethal one")))
+    return Verdict("lungs", words, kind, detail, entry, entries)
 
 
 def _own_lungs(entry):
@@ -313,7 +320,8 @@ def _by_tables(scene, judged, lungs):
     told = POSSIBLE if lungs.words == SOUND else SOUND
     return Verdict(lungs.subject, lungs.words, "mid", "; ".join(filter(
         None, (lungs.detail, f"by the tables{_at_trunk(scene)} {told}, load "
-               f"{page.number(found[1])}{found[2]}"))), lungs.entry)
+               f"{page.number(found[1])}{found[2]}"))), lungs.entry,
+        lungs.entries)
 
 
 def _held(scene):

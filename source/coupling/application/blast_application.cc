@@ -7,6 +7,7 @@
 #include <contrecoup/coupling/application/blast_tables.h>
 #include <contrecoup/coupling/application/coarse_scene.h>
 #include <contrecoup/coupling/application/domain_size.h>
+#include <contrecoup/coupling/application/model_bias.h>
 #include <contrecoup/coupling/first_stage/staged_simulation.h>
 
 namespace contrecoup::coupling
@@ -105,6 +106,7 @@ io::ApplicationDescription blast_application()
   application.adapts = [](const ParameterHandler &prm) {
     return prm.get_bool({"Adaptation"}, "Active");
   };
+  application.oversights = warn_of_bias;
   application.tables = blast_tables;
   return application;
 }

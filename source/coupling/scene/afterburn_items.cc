@@ -2,8 +2,8 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/system/text.h>
+#include <contrecoup/coupling/application/model_bias.h>
 #include <contrecoup/coupling/scene/afterburn_items.h>
-#include <contrecoup/coupling/scene/model_bias.h>
 
 namespace contrecoup::coupling
 {

@@ -2,8 +2,8 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/system/text.h>
+#include <contrecoup/coupling/application/model_bias.h>
 #include <contrecoup/coupling/scene/first_answer.h>
-#include <contrecoup/coupling/scene/model_bias.h>
 #include <contrecoup/numerics/injury/blast_injury.h>
 
 #include <algorithm>
@@ -192,7 +192,7 @@ std::vector<std::string> first_answer(const SceneParameters &scene,
   }
   const std::string equivalence = equivalence_in_words(scene.explosive);
   const ModelBias bias =
-    model_bias(scene, layout.distance, layout.is_surface_burst);
+    model_bias(scene.burst(layout.is_surface_burst), layout.distance);
   std::vector<std::string> lines = {
     "first answer, by tables and without a run: " + what +
       (equivalence.empty() ? "" : " (" + equivalence + ")") + where +

@@ -209,7 +209,7 @@ std::string Person::charge_in_words() const
             : azimuth == 0.      ? "straight ahead of the person"
                                  : "straight behind the person") +
            front;
-  return "before the person's " + side + ", " + brief(std::abs(azimuth)) +
+  return brief(std::abs(azimuth)) +
          (std::abs(azimuth) == 1. ? " degree" : " degrees") + " to the " +
          (azimuth < 0. ? "right" : "left") + " of where the person faces" +
          front;

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/system/coordinates.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/log.h>
 #include <contrecoup/base/system/remark_line.h>
@@ -41,7 +42,7 @@ namespace
   /// Whether the trunk is not where the nearest skin is, as in the report.
   bool is_apart(const SceneLayout &trunk, const SceneLayout &skin)
   {
-    constexpr double farther = 1.15;
+    constexpr double farther = 1.05;
     return trunk.distance > farther * skin.distance;
   }
 
@@ -185,13 +186,22 @@ void PlannedScene::print(const bool with_plan) const
             brief(layout_->charge[2]) + " m above the ground; cells of " +
             brief(1e3 * layout_->cell_size()) + " mm at the skin" +
             (parameters_.wants_injury() ? ", " + elements_in_words() : ""));
-  if (person_->axes())
-    show_line("  the charge is " + person_->charge_in_words());
+  const std::string direction = person_->charge_in_words();
+  show_line("  the charge is at " + coordinates(layout_->charge) + " m" +
+            (direction.empty() ? "" : ", " + direction));
   if (parameters_.cell_size > layout_->cell_size() * (1. + 1e-9))
     show_line("  Scene/Cell size = " + brief(parameters_.cell_size) +
               " m is an upper bound: cells are " +
               brief(1e3 * layout_->cell_size(0)) + " mm over a power of two, " +
               brief(1e3 * layout_->cell_size()) + " mm");
+  const double usual = layout_->cell_size(parameters_.accuracy.levels);
+  if (!(parameters_.cell_size > 0.) &&
+      layout_->cell_size() < usual * (1. - 1e-9))
+    show_line("  cells of " + brief(1e3 * usual) + " mm are halved to " +
+              brief(1e3 * layout_->cell_size()) +
+              " mm for a short positive phase or a small body; Scene/Cell "
+              "size = " +
+              brief(usual) + " m is cheaper, with larger errors");
   const std::string equivalence = equivalence_in_words(parameters_.explosive);
   show_line(layout_->is_far(parameters_)
               ? "  expected " + burst_in_words(*layout_) +

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/coupling/scene/model_bias.h>
+#include <contrecoup/coupling/application/model_bias.h>
 #include <contrecoup/coupling/scene/reflecting_plane.h>
 #include <contrecoup/numerics/injury/wave_reflection.h>
 

@@ -113,7 +113,9 @@ namespace
     throw InputError(
       where + "is outside of the domain, from " +
       coordinates(domain.get_boundary_points().first) + " to " +
-      coordinates(domain.get_boundary_points().second) + " m" +
+      coordinates(domain.get_boundary_points().second) +
+      " m, around the charge at " + coordinates(scene.layout().charge) +
+      " m and the body; Blast/Domain enlarges it" +
       (scene.layout().is_half && domain.point_inside(image, round_off)
          ? "; by symmetry " + coordinates(image) +
              " m has the same values, and Scene/Symmetry = none computes "

@@ -4,7 +4,7 @@
 #include <contrecoup/base/system/coordinates.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
-#include <contrecoup/coupling/scene/model_bias.h>
+#include <contrecoup/coupling/application/model_bias.h>
 #include <contrecoup/coupling/scene/scene_layout.h>
 #include <contrecoup/numerics/injury/wave_reflection.h>
 
@@ -196,7 +196,7 @@ double SceneLayout::earliest_return(const SceneParameters &scene,
 double SceneLayout::expected_phase(const SceneParameters &scene,
                                    const double way) const
 {
-  const double bias = model_bias(scene, way, is_surface_burst).duration;
+  const double bias = model_bias(scene.burst(is_surface_burst), way).duration;
   return incident_wave(scene).nearest_duration(way) *
          (std::isfinite(bias) ? 1. + bias : 1.);
 }

@@ -238,8 +238,8 @@ namespace
       1e3,
       "m",
       used_with("Charge/Place = empty",
-                "Distance from the charge's centre along -x to the body's "
-                "surface; to the nearest point of the body if that line "
+                "Distance from the body's surface along +x to the charge's "
+                "centre; from the nearest point of the body if that line "
                 "misses it; above 0."));
     declare_double(
       prm,

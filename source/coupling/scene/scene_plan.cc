@@ -2,8 +2,8 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/system/text.h>
+#include <contrecoup/coupling/application/model_bias.h>
 #include <contrecoup/coupling/scene/afterburn_items.h>
-#include <contrecoup/coupling/scene/model_bias.h>
 #include <contrecoup/coupling/scene/scene_plan.h>
 #include <contrecoup/coupling/scene/stage_results.h>
 #include <contrecoup/io/file/file_format.h>
@@ -209,7 +209,7 @@ namespace
                                           const SceneLayout &layout)
   {
     const ModelBias known =
-      model_bias(scene, layout.distance, layout.is_surface_burst);
+      model_bias(scene.burst(layout.is_surface_burst), layout.distance);
     std::vector<Assumption> items = afterburn_items(scene, layout);
     items.insert(items.begin(), symmetry(layout));
     for (const Assumption &item :

@@ -2,8 +2,8 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/system/text.h>
+#include <contrecoup/coupling/application/model_bias.h>
 #include <contrecoup/coupling/scene/coarser_run.h>
-#include <contrecoup/coupling/scene/model_bias.h>
 #include <contrecoup/coupling/scene/table_comparison.h>
 #include <contrecoup/io/file/checked_file.h>
 #include <contrecoup/io/file/file_format.h>

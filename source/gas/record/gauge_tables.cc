@@ -24,6 +24,9 @@ namespace
   const std::string chest = "chest", back = "back";
   const std::vector<std::string> arms{"left upper arm", "right upper arm"};
   const std::string device = "device ";
+  /// Least first_phase_fraction for which the lung exposure of a wave is taken
+  /// for that of a simple one.
+  constexpr double simple = 0.75;
   const std::string header =
     "measure,place,value,unit,definition,cut off [-]\n";
 
@@ -204,15 +207,15 @@ namespace
          of_mass(body_mass),
        "probability of death within 24 h by lung injury of a person who stands in "
        "the open (Bowen et al. 1968)",
-       "probability by the side-on peak overpressure (TNO CPR 16E, 1992)",
+       "probability by the peak overpressure (on a wall the reflected one; TNO CPR 16E, 1992)",
        "largest inward velocity of a mass on a spring before one lung under the "
        "side-on overpressure alone (equation of Axelsson and Yelverton 1996); not "
        "the mean over the four gauges of a blast test device, so that its levels "
        "of injury do not hold",
-       "part of the positive impulse that the first wave has within the first "
-       "positive phase where a later wave rises by a tenth of the first peak; 1 "
-       "without one, in a simple wave, for which alone the lung exposure is "
-       "defined"}};
+       "impulse of the first wave within the first positive phase, until a later "
+       "wave rises by a tenth of the first peak, over the impulse of all positive "
+       "phases, among products over that of the first; 1 in a simple wave, for "
+       "which alone the lung exposure is defined"}};
   }
 
 
@@ -221,7 +224,11 @@ namespace
   {
     std::string rows;
     const auto values = air_injury_values(air, body_mass);
-    const auto definitions = air_injury_definitions(body_mass);
+    auto definitions = air_injury_definitions(body_mass);
+    if (values[4] <= simple)
+      for (const std::size_t k : {0, 1})
+        definitions[k] += "; not known by it, as the wave is not simple: see "
+                          "first_phase_fraction";
     const std::size_t n_values = values.size() - (with_chest ? 0 : 2);
     for (std::size_t k = 0; k < n_values; ++k)
     {
@@ -241,7 +248,7 @@ namespace
             air.place,
             air.blast.peak,
             "Pa",
-            "side-on peak; limit exceeded: " +
+            "peak (on a wall the reflected one); limit exceeded: " +
               injury_criterion("peak_overpressure").meaning(air.blast.peak));
     return rows;
   }
@@ -300,8 +307,7 @@ std::array<double, 5> air_injury_values(const AirBlast &air,
 std::array<double, 5> mapped_injury_values(const AirBlast &air,
                                            const double body_mass)
 {
-  constexpr double simple = 0.75, certain = 0.99, harmless = 1e-3,
-                   endless = 1e3;
+  constexpr double certain = 0.99, harmless = 1e-3, endless = 1e3;
   auto values = air_injury_values(air, body_mass);
   double &lethality = values[1];
   const bool is_simple = std::isfinite(lethality) && values[4] > simple;

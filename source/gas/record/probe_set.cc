@@ -5,6 +5,7 @@
 #include <contrecoup/base/parameters/selecting.h>
 #include <contrecoup/base/parameters/used_with.h>
 #include <contrecoup/base/system/aligned_rows.h>
+#include <contrecoup/base/system/coordinates.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/log.h>
 #include <contrecoup/base/system/text.h>
@@ -203,6 +204,9 @@ ProbeSet<dim>::measures(const ReferenceSolution<dim> &reference) const
       add("later_", 0, waves(i).later);
       values.push_back(
         {probe_name(i, "later_peak_time"), "s", waves(i).later_time});
+      values.push_back({probe_name(i, "impulse_of_all_phases"),
+                        "Pa s",
+                        probes_.records()[i].running});
     }
     if (is_cut_off(found[i], last_time_))
       values.push_back({probe_name(i, "cut_off"), "-", 1.});
@@ -245,45 +249,68 @@ std::vector<NamedValue> ProbeSet<dim>::errors(const GasSnapshot<dim> &gas) const
 
 template <int dim>
 std::vector<std::string>
+ProbeSet<dim>::values_in_words(const std::size_t probe,
+                               const ReferenceSolution<dim> &reference) const
+{
+  const double factors[] = {1e-3, 1., 1e3, 1e3};
+  const BlastMeasures found = first_waves()[probe];
+  const auto computed = recorded_map_values(found);
+  std::vector<std::string> row;
+  for (std::size_t k = 0; k < computed.size(); ++k)
+  {
+    const bool is_known = !std::isnan(computed[k]);
+    const bool is_cut = ends_with_phase(k) && is_cut_off(found, last_time_);
+    row.push_back((is_cut ? ">= " : "") + (is_known
+                                             ? brief(computed[k] * factors[k])
+                                           : found.peak == 0. ? "not reached"
+                                                              : "unknown"));
+    if (!reference.has_arrivals())
+      continue;
+    const double exact = map_values(reference.arrival(places()[probe]))[k];
+    row.back() +=
+      " / " + (exact == 0. ? "unknown" : brief(exact * factors[k])) +
+      (is_known && exact != 0.
+         ? " (" + (is_cut ? "cut off" : difference(computed[k], exact)) + ")"
+         : "");
+  }
+  return row;
+}
+
+
+template <int dim>
+std::vector<std::string>
 ProbeSet<dim>::report(const GasSnapshot<dim> &gas) const
 {
+  constexpr std::size_t most_rows = 12;
   const auto &reference = gas.scene.reference;
-  if (!reference.has_arrivals() || places().empty())
+  if (places().empty())
     return {};
-  const auto found = first_waves();
-  const double factors[] = {1e-3, 1., 1e3, 1e3};
-  std::vector<std::vector<std::string>> rows = {
-    {"probe", "peak [kPa]", "impulse [Pa s]", "arrival [ms]", "duration [ms]"}};
-  for (std::size_t i = 0; i < found.size(); ++i)
+  const std::size_t n_rows = std::min(most_rows, places().size());
+  std::vector<std::vector<std::string>> rows = {{"probe",
+                                                 "place [m]",
+                                                 "peak [kPa]",
+                                                 "impulse [Pa s]",
+                                                 "arrival [ms]",
+                                                 "duration [ms]"}};
+  for (std::size_t i = 0; i < n_rows; ++i)
   {
-    rows.push_back({std::to_string(i + 1)});
-    const auto computed = recorded_map_values(found[i]);
-    const auto exact = map_values(reference.arrival(places()[i]));
-    for (std::size_t k = 0; k < exact.size(); ++k)
-    {
-      const bool is_known = !std::isnan(computed[k]);
-      const bool is_cut =
-        ends_with_phase(k) && is_cut_off(found[i], last_time_);
-      const std::string relation =
-        is_cut ? "cut off" : difference(computed[k], exact[k]);
-      rows.back().push_back(
-        (is_cut ? ">= " : "") +
-        (is_known              ? brief(computed[k] * factors[k])
-         : found[i].peak == 0. ? "not reached"
-                               : "unknown") +
-        " / " + (exact[k] == 0. ? "unknown" : brief(exact[k] * factors[k])) +
-        (is_known && exact[k] != 0. ? " (" + relation + ")" : ""));
-    }
+    rows.push_back({std::to_string(i + 1), coordinates(places()[i])});
+    for (const std::string &value : values_in_words(i, reference))
+      rows.back().push_back(value);
   }
-  std::vector<std::string> lines = {"computed / " + reference.description() +
-                                    " (difference):"};
+  std::vector<std::string> lines;
+  if (reference.has_arrivals())
+    lines.push_back("computed / " + reference.description() + " (difference):");
   for (const std::string &line : aligned_rows(rows))
     lines.push_back(line);
-  for (std::size_t i = 0; i < found.size(); ++i)
+  if (n_rows < places().size())
+    lines.push_back("and " + std::to_string(places().size() - n_rows) +
+                    " more in summary.json");
+  for (std::size_t i = 0; i < n_rows; ++i)
     if (waves(i).later > waves(i).first)
       lines.push_back("a later wave has the larger peak at probe " +
                       std::to_string(i + 1) + ": " +
-                      brief(waves(i).later * factors[0]) + " kPa at " +
+                      brief(1e-3 * waves(i).later) + " kPa at " +
                       brief(waves(i).later_time * 1e3) + " ms");
   return lines;
 }

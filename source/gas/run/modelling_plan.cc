@@ -205,6 +205,18 @@ double ModellingPlan<dim>::expected_reach(const double time) const
 
 
 template <int dim>
+bool ModellingPlan<dim>::is_reflected_at(const dealii::Point<dim> &place) const
+{
+  return std::any_of(walls.begin(), walls.end(), [&](const unsigned int wall) {
+    const unsigned int d = wall / 2;
+    const double tolerance = 1e-9 * (upper[d] - lower[d]);
+    return std::abs(place[d] - place_of_side(wall)) <= tolerance &&
+           std::abs(centre[d] - place_of_side(wall)) > tolerance;
+  });
+}
+
+
+template <int dim>
 double ModellingPlan<dim>::place_of_side(const unsigned int side) const
 {
   return (side % 2 == 0 ? lower : upper)[side / 2];

@@ -212,9 +212,11 @@ std::vector<Assumption> RunPlan<dim>::audit(Recorders<dim> &recorders) const
   typename ModellingPlan<dim>::Measurements measured;
   measured.time = core_.time();
   measured.side_arrivals = open_sides.arrivals();
-  for (const BlastMeasures &blast :
-       recorders.template get<ProbeSet<dim>>().blasts())
-    measured.peaks.push_back(blast.peak);
+  const auto &probes = recorders.template get<ProbeSet<dim>>();
+  const auto waves = probes.first_waves();
+  for (std::size_t i = 0; i < waves.size(); ++i)
+    if (!plan_.is_reflected_at(probes.places()[i]))
+      measured.peaks.push_back(waves[i].peak);
   measured.smallest_subcell = finest_edge();
   measured.non_ideal_fraction = non_ideal_fraction();
   measured.skipped = core_.skipped_updates();

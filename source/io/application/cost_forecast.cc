@@ -26,6 +26,9 @@ namespace io
     /// Largest factor between the steps of a trial and what those before it
     /// predict for which the forecast is believed.
     constexpr double largest_misprediction = 1.4;
+    /// Part of its last stage to which a stopped trial must come if nothing
+    /// confirms the steps of the rest: those of a blast grow as it weakens.
+    constexpr double least_confirmed_part = 0.5;
     /// Largest growth of cells with levels for which layers are refined, over
     /// the dimension; it is 1 where everything is, and 3/4 in the end.
     constexpr double most_growth = 0.85;
@@ -265,7 +268,8 @@ namespace io
     {
       const Trial &last = trials.back();
       if (trials.size() < 3)
-        return last.levels <= 1 && (!adapts || !last.has_few_steps());
+        return last.levels <= 1 && last.part >= least_confirmed_part &&
+               (!adapts || !last.has_few_steps());
       std::vector<Trial> earlier(trials.begin(), trials.end() - 1);
       for (Trial &trial : earlier)
         trial.levels -= last.levels;

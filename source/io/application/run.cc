@@ -364,7 +364,9 @@ namespace io
     summary.starts = folder_.starts();
     const std::chrono::duration<double> elapsed =
       std::chrono::steady_clock::now() - begin_;
-    log_line((folder_.resumes() ? "timers of this start:\n" : "") +
+    log_line(std::string("timers") +
+             (folder_.resumes() ? " of this start" : "") +
+             ", some within others:\n" +
              Timers::instance().table(all, elapsed.count()));
     show_line(status + " at step " + std::to_string(state_.step) + ", time " +
               brief(state_.time, 6) + " s, after " +

@@ -153,9 +153,15 @@ namespace io
       const Row row = cost_row("all", total);
       rows.push_back(row);
       const std::string blanks = blanks_of(heading, row, first_of_all);
+      double known = 0.;
+      for (const auto &[name, cost] : costs)
+        known += cost.seconds;
       if (!blanks.empty() && !lacking.empty())
         gaps.push_back("  all: " + blanks + " unknown with those of " +
-                       join(lacking, ", "));
+                       join(lacking, ", ") +
+                       (known > 0. && !(total.seconds > 0.)
+                          ? "; the others take " + duration(known)
+                          : ""));
     }
     Row lines = aligned_rows(rows);
     lines.insert(lines.end(), gaps.begin(), gaps.end());

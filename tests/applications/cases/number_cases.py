@@ -94,7 +94,7 @@ def check_estimate(text, files):
               (r"positive phase (\S+ ms)", answer["duration"]),
               (r"wall there: peak (\S+ kPa)", places[1]["overpressure"])]
     trunk = facts["tables"]["trunk"]
-    if trunk is not None and trunk["distance"] <= 1.15 * facts["distance"]:
+    if trunk is not None and trunk["distance"] <= 1.05 * facts["distance"]:
         # The nearest skin is its, and its lungs are told once.
         trunk = None
     require((trunk is not None) == ("  the trunk is " in text),

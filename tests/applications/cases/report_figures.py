@@ -164,7 +164,7 @@ class Files:
         apart = [math.dist([float(x) for x in place.split(",")],
                            self.scene["charge_place"]) for place in re.findall(
             r"(?:chest|back|upper arm): ([^;]*)", self.entry("blast", "Gauges"))]
-        return bool(apart) and min(apart) > 1.15 * self.scene["distance"]
+        return bool(apart) and min(apart) > 1.05 * self.scene["distance"]
 
     def compared(self):
         """Rows against the tables, without the lungs of a far trunk."""

@@ -93,6 +93,27 @@ TEST(ProbeSet, TellsWhereNoBlastHasArrived)
 }
 
 
+TEST(ProbeSet, TellsTheFirstProbesWithoutAReference)
+{
+  GasRun<2> run({"Domain/Coarse leaves=2, 2", "Domain/Upper corner=30, 3"},
+                MPI_COMM_SELF);
+  dealii::ParameterHandler prm;
+  Recorders<2>::declare_parameters(prm);
+  std::string points = "0.25, 0";
+  for (unsigned int i = 1; i < 14; ++i)
+    points += "; " + std::to_string(i) + ", 0";
+  apply_assignments({parse_override("Probes/Points=" + points)}, prm);
+  ProbeSet<2> probes;
+  probes.parse_parameters(prm, run);
+  const std::vector<std::string> lines = probes.report(run.snapshot());
+  ASSERT_EQ(lines.size(), 14U);
+  EXPECT_NE(lines[0].find("place [m]"), std::string::npos);
+  EXPECT_NE(lines[1].find("0.25, 0  "), std::string::npos)
+    << lines[1];
+  EXPECT_EQ(lines[13], "and 2 more in summary.json");
+}
+
+
 // A reflection that comes later and is larger is none of the wave that the
 // reference has; ripples are no waves.
 TEST(ProbeSet, ComparesThePeakOfTheFirstWave)
@@ -121,6 +142,9 @@ TEST(ProbeSet, ComparesThePeakOfTheFirstWave)
   EXPECT_DOUBLE_EQ(found.at("probe_1_peak_overpressure"), 12e6);
   EXPECT_DOUBLE_EQ(found.at("probe_1_later_peak_overpressure"), 12e6);
   EXPECT_DOUBLE_EQ(found.at("probe_1_later_peak_time"), 1e-4);
+  EXPECT_EQ(simple.count("probe_1_impulse_of_all_phases"), 0U);
+  EXPECT_GE(found.at("probe_1_impulse_of_all_phases"),
+            found.at("probe_1_impulse"));
   for (const std::size_t n : {9, 3, 2})
     EXPECT_EQ(values(record(run, waves, n)), found) << n;
 

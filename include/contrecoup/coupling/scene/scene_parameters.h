@@ -4,6 +4,7 @@
 #pragma once
 
 #include <contrecoup/base/parameters/parameter_file.h>
+#include <contrecoup/coupling/application/model_bias.h>
 #include <contrecoup/coupling/scene/gauge_raster.h>
 #include <contrecoup/materials/explosives.h>
 #include <contrecoup/materials/own_tissues.h>
@@ -77,6 +78,16 @@ struct SceneParameters
 
   /// Energy of the charge, of detonation and afterburn [J].
   double energy() const;
+
+  /// The charge, for model_bias().
+  BiasedBurst burst(const bool is_on_ground) const
+  {
+    return {explosive.name,
+            mass,
+            !custom_entries.empty(),
+            has_usual_afterburn,
+            is_on_ground};
+  }
 
   bool wants_injury() const
   {

@@ -61,6 +61,8 @@ public:
 
   /// Blast measures at each probe so far.
   std::vector<BlastMeasures> blasts() const;
+  /// The same with the peaks of the first wave.
+  std::vector<BlastMeasures> first_waves() const;
 
   /// The same as named values, with the peaks of the first wave and of larger
   /// or smaller later ones, and with the values of @p reference where it has
@@ -76,9 +78,9 @@ public:
   /// the first wave among the former.
   std::vector<NamedValue> errors(const GasSnapshot<dim> &gas) const override;
 
-  /// Table of the values that errors() compares, one line per probe, and a line
-  /// on each probe at which a later wave has a larger peak; empty without a
-  /// reference.
+  /// Table of the first wave at the first probes, beside the values of a
+  /// reference that errors() compares, and a line on each probe at which a
+  /// later wave has a larger peak.
   std::vector<std::string> report(const GasSnapshot<dim> &gas) const override;
 
   std::vector<std::string> gaps(const double time) const override;
@@ -92,8 +94,11 @@ private:
   {
     return probes_.exposures()[i].waves;
   }
-  /// Blast measures with the peaks of the first wave.
-  std::vector<BlastMeasures> first_waves() const;
+
+  /// Peak, impulse, arrival and duration of the first wave in words.
+  std::vector<std::string>
+  values_in_words(std::size_t probe,
+                  const ReferenceSolution<dim> &reference) const;
 
   BlastProbes<dim> probes_;
   std::string folder_;        ///< of the results; empty in first stages

@@ -71,7 +71,9 @@ public:
   {
     double time = 0.; ///< end of the run [s]
     std::array<double, 2 * dim> side_arrivals;
-    std::vector<double> peaks;    ///< peak overpressures at the probes [Pa]
+    /// Peak overpressures of the first wave at the probes but for those with
+    /// is_reflected_at() [Pa].
+    std::vector<double> peaks;
     double smallest_subcell = 0.; ///< [m]
     double skipped = 0.;          ///< fraction of skipped updates [-]
     /// As in the plan, at the end of the run.
@@ -84,6 +86,10 @@ public:
   /// Largest distance of the front, with the reflection by walls that it has
   /// merged with: what reflections from open sides cannot outrun [m].
   double expected_reach(const double time) const;
+
+  /// Whether a place is on a wall that reflects the blast, as one through its
+  /// centre does not.
+  bool is_reflected_at(const dealii::Point<dim> &place) const;
 
   std::vector<Assumption> plan() const;
   std::vector<Assumption> audit(const Measurements &measured) const;

@@ -37,8 +37,9 @@ namespace io
    * Unknown (zero) are cells, memory and output of a mesh that changes where
    * the last two trials refine nearly everything or have other stages, or where
    * there is one alone, the steps where the trials before the last one do
-   * not predict its steps within a factor of 1.4 or are too few for that, and
-   * the time if neither is known. A trial that does not come to the last stage
+   * not predict its steps within a factor of 1.4, or are too few for that and
+   * the last one stopped before half of its last stage, and the time if neither
+   * is known. A trial that does not come to the last stage
    * of the run tells nothing, nor does one that its time limit stops before its
    * mesh is as large as it gets, by the trial before it; output is that of
    * trials that come to their end.

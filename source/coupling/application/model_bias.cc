@@ -1,8 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/base/parameters/parameter_tree.h>
+#include <contrecoup/base/parameters/parameters.h>
 #include <contrecoup/base/system/text.h>
-#include <contrecoup/coupling/scene/model_bias.h>
+#include <contrecoup/coupling/application/model_bias.h>
+#include <contrecoup/gas/explosive/afterburn.h>
+#include <contrecoup/gas/state/state_parameters.h>
+#include <contrecoup/materials/explosives.h>
+
+#include <deal.II/base/point.h>
 
 #include <algorithm>
 #include <array>
@@ -79,21 +86,64 @@ namespace
     return 0.01 * std::round(100. * (values[i - 1] +
                                      part * (values[i] - values[i - 1])));
   }
+
+  /// Distances of the probes from the centre of the charge [m].
+  template <int dim>
+  std::vector<double> probe_distances(ParameterHandler &prm,
+                                      const std::string &charge)
+  {
+    dealii::Point<dim> centre;
+    {
+      const Section charges(prm, "Charges");
+      const Section one(prm, "Charge " + charge);
+      centre = dealii::Point<dim>(
+        gas::read_vector<dim>(prm, "Center", "Charges/Charge " + charge));
+    }
+    const Section section(prm, "Probes");
+    std::vector<double> found;
+    for (const dealii::Point<dim> &place : read_points<dim>(prm, "Points"))
+      found.push_back(place.distance(centre));
+    return found;
+  }
+
+
+  std::vector<double> probe_distances(ParameterHandler &prm,
+                                      const std::string &charge)
+  {
+    const long dim = prm.get_integer({"Domain"}, "Dimension");
+    return dim == 1   ? probe_distances<1>(prm, charge)
+           : dim == 2 ? probe_distances<2>(prm, charge)
+                      : probe_distances<3>(prm, charge);
+  }
+
+
+  /// The only charge of a run, of an explosive of the library.
+  BiasedBurst read_burst(ParameterHandler &prm, const std::string &charge)
+  {
+    BiasedBurst burst;
+    burst.explosive = prm.get({"Material"}, "Explosive");
+    burst.mass = prm.get_double({"Charges", "Charge " + charge}, "Mass");
+    const double usual = find_explosive(burst.explosive).afterburn.energy;
+    gas::Afterburn afterburn;
+    const Section section(prm, "Charges");
+    afterburn.parse_parameters(prm);
+    const double energy = afterburn.energy_left();
+    burst.has_usual_afterburn = std::abs(energy - usual) <= 0.01 * usual;
+    return burst;
+  }
 } // namespace
 
 
-ModelBias model_bias(const SceneParameters &scene,
-                     const double distance,
-                     const bool is_surface_burst)
+ModelBias model_bias(const BiasedBurst &burst, const double distance)
 {
-  const double scaled = distance / std::cbrt(scene.mass);
-  const auto found = measured().find(scene.explosive.name);
+  const double scaled = distance / std::cbrt(burst.mass);
+  const auto found = measured().find(burst.explosive);
   std::string gap;
-  if (found == measured().end() || !scene.custom_entries.empty())
+  if (found == measured().end() || burst.is_custom)
     gap = "it was not measured for constants of the user's own";
-  else if (!scene.has_usual_afterburn)
+  else if (!burst.has_usual_afterburn)
     gap = "it was not measured for afterburn of the user's own";
-  else if (is_surface_burst)
+  else if (burst.is_on_ground)
     gap = "it was measured for charges in free air alone";
   else if (scaled < distances.front() || scaled > distances.back())
     gap = "it was measured from " + brief(distances.front()) + " to " +
@@ -116,5 +166,35 @@ std::string in_words(const ModelBias &bias)
            ? "unknown: " + bias.gap
            : words("peak", bias.peak) + ", " + words("impulse", bias.impulse) +
                ", " + words("duration", bias.duration);
+}
+
+
+std::vector<std::string> warn_of_bias(ParameterHandler &prm)
+{
+  constexpr double most = 0.2; // beyond which injuries of lungs are others
+  const std::vector<std::string> charges = item_names(prm, "Charges/Charge");
+  if (charges.size() != 1 || !prm.get_bool({"Probes"}, "Injury") ||
+      prm.get({"Material"}, "Explosive") == "custom")
+    return {};
+  const BiasedBurst burst = read_burst(prm, charges.front());
+  const auto size = [](const ModelBias &bias) {
+    return std::max(std::abs(bias.impulse), std::abs(bias.duration));
+  };
+  ModelBias worst = {0., 0., 0.};
+  double at = 0.;
+  for (const double distance : probe_distances(prm, charges.front()))
+    if (const ModelBias bias = model_bias(burst, distance);
+        size(bias) > size(worst))
+    {
+      worst = bias;
+      at = distance;
+    }
+  if (!(size(worst) > most))
+    return {};
+  return {
+    "WARNING: Material/Explosive = " + burst.explosive + ": " + brief(at) +
+    " m from the charge the model's incident wave differs "
+    "from the tables, whatever the cells, by " +
+    in_words(worst) + "; injuries of lungs by the probes differ accordingly"};
 }
 } // namespace contrecoup::coupling
