@@ -169,9 +169,9 @@ def draw_curve(axis, study, across, column, lines):
         if arrows else []
     unknown = [row["numbers"][across] for row in study["rows"]
                if value(row, column) is None]
-    for place in unknown:
-        axis.axvline(place, color=style.GREY, linestyle=":", linewidth=0.8)
     if unknown:
+        axis.vlines(unknown, 0., 1., transform=axis.get_xaxis_transform(),
+                    color=style.GREY, linestyle=":", linewidth=0.8)
         notes.append("dotted: unknown")
     axis.set_title("; ".join(notes), fontsize=8)
     reference = study["reference_columns"]

@@ -232,37 +232,50 @@ def histories(scene):
         + (" Coup and contrecoup are at the height of the middle of the brain, on "
            "the side of the charge and opposite, a few elements within its "
            "surface." if brain else ""), "svg")]
-    rows = []
+    return parts + [_table_of_extremes(scene, places, probes)]
+
+
+def _table_of_extremes(scene, places, probes):
+    """Extremes of pressure at the places with their errors, and what else is
+    there."""
     coarser = scene.coarser and scene.coarser.biomechanics.table("probes.csv")
     extremes = [signals.extremes(place.pressure(probes)) for place in places]
     others = [_extremes_of(place, coarser) for place in places]
     errors = [_errors(scene, *one) for one in zip(zip(*extremes), zip(*others))]
+    shown, data = [], []
     for place, (lowest, highest), low_error, high_error in zip(
             places, extremes, *errors):
-        strain = probes[place.column + "principal_strain"]
         shift = np.sqrt(sum(probes[f"{place.column}displacement_{axis}"] ** 2
                             for axis in "xyz"))
-        rows.append((
-            place.title(), page.point([round(x, 3) + 0. for x in place.point]),
-            page.number(1e-3 * highest), high_error,
-            page.number(1e-3 * lowest), low_error,
-            page.number(1e-3 * float(
-                probes[place.column + "von_mises_stress"].max())),
-            page.number(100. * float(strain.max())),
-            page.number(1e3 * float(shift.max()))))
-    parts.append(page.table(
+        pressures = [page.number(1e-3 * value) for value in (highest, lowest)]
+        begin = (place.title(), page.point(
+            [round(x, 3) + 0. for x in place.point]))
+        end = (page.number(1e-3 * float(
+            probes[place.column + "von_mises_stress"].max())),
+               page.number(100. * float(
+                   probes[place.column + "principal_strain"].max())),
+               page.number(1e3 * float(shift.max())))
+        shown.append((*begin, *(
+            page.Markup().join((value, page.Markup("<br>"),
+                                page.tag("small", error)))
+            for value, error in zip(pressures, (high_error, low_error))), *end))
+        data.append((*begin, pressures[0], high_error, pressures[1], low_error,
+                     *end))
+    rest = ("von Mises stress [kPa]", "largest strain [%]", "displacement [mm]")
+    return page.table(
         ("place", "x, y, z [m]", "maximum pressure [kPa]",
-         "error of the maximum", "minimum pressure [kPa]",
-         "error of the minimum", "von Mises stress [kPa]",
-         "largest strain [%]", "displacement [mm]"), rows,
+         "minimum pressure [kPa]", *rest), shown,
         "Extremes over the run. Pressures are averaged over the elements of "
         "the same tissue around each place; stress and strain are of single "
         "elements. " + ("Errors are from the coarser run, each at least "
                         "the median over all places."
                         if coarser is not None else
-                        "The numerical error is unknown.") + tissue_places.thin_note(
-            [place.title() for place in places]), numbers=range(1, 9)))
-    return parts
+                        "The numerical error is unknown.")
+        + tissue_places.thin_note([place.title() for place in places]),
+        numbers=range(1, 7), data=(
+            ("place", "x, y, z [m]", "maximum pressure [kPa]",
+             "error of the maximum", "minimum pressure [kPa]",
+             "error of the minimum", *rest), data))
 
 
 def _extremes_of(place, probes):

@@ -108,8 +108,7 @@ TEST(ProbeSet, TellsTheFirstProbesWithoutAReference)
   const std::vector<std::string> lines = probes.report(run.snapshot());
   ASSERT_EQ(lines.size(), 14U);
   EXPECT_NE(lines[0].find("place [m]"), std::string::npos);
-  EXPECT_NE(lines[1].find("0.25, 0  "), std::string::npos)
-    << lines[1];
+  EXPECT_NE(lines[1].find("0.25, 0  "), std::string::npos) << lines[1];
   EXPECT_EQ(lines[13], "and 2 more in summary.json");
 }
 
