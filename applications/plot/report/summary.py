@@ -55,13 +55,22 @@ def _bounds(bounds):
     return {"least": _number(low), "largest": _number(high)}
 
 
+def _bounds_of(entry):
+    """Bounds by the numerics; a lower limit has none on the side on which the
+    value may continue."""
+    low, high = entry.bounds() or (None, None)
+    if not entry.is_cut:
+        return _bounds((low, high))
+    return _bounds((low, None) if entry.value >= 0. else (None, high))
+
+
 def _verdict(one):
     told = {"subject": one.subject, "words": str(one), "severity": one.kind}
     if one.entry is None:
         return {**told, "measure": None, "value": None, **_bounds(None),
                 "is_certain": one.is_certain()}
     return {**told, "measure": one.entry.name,
-            "value": _number(one.entry.value), **_bounds(one.entry.bounds()),
+            "value": _number(one.entry.value), **_bounds_of(one.entry),
             "is_certain": one.is_certain()}
 
 
@@ -69,7 +78,7 @@ def _measure(entry):
     return {"name": entry.name, "title": entry.title,
             "value": _number(entry.value), "unit": entry.unit,
             "is_lower_limit": entry.is_cut,
-            **_bounds(entry.bounds()), "coarser": _number(entry.coarser),
+            **_bounds_of(entry), "coarser": _number(entry.coarser),
             "tables": None if entry.tables is None else list(entry.tables),
             "thresholds": [{"value": limit, "meaning": meaning}
                            for limit, meaning in entry.thresholds],

@@ -891,9 +891,11 @@ def check_summary_file(page, files):
     told = {entry["title"]: entry["value"] for entry in found["measures"]}
     require(told == expected, f"report.json has {told}, the files {expected}")
     for entry in found["measures"] + found["verdicts"]:
-        if entry["least"] is not None:
-            require(entry["least"] <= entry["value"] <= entry["largest"],
-                    f"bounds of {entry}")
+        known = [entry[name] for name in ("least", "value", "largest")
+                 if entry[name] is not None]
+        require(known == sorted(known), f"bounds of {entry}")
+        require(entry["largest"] is None or not entry.get("is_lower_limit")
+                or entry["value"] < 0., f"upper bound of {entry}")
     for text in [found["headline"], found["scene"], *found["reservations"],
                  *(entry["text"] for entry in found["warnings"])]:
         require(text.replace("\u00a0", " ") in page.answer,
