@@ -201,11 +201,11 @@ class Files:
                 -place / math.sqrt(2.))
 
     def has_same_phase(self, place):
-        """Whether the positive phase at a gauge in both runs is complete or not,
-        and of as many waves."""
-        cut = [run.get(place, {}).get("cut off") for run in (
-            self.places, self.coarser_places)]
-        return cut[0] == cut[1] and place not in self.fewer_waves
+        """Whether the positive phase at a gauge is complete in both runs, and of
+        as many waves."""
+        return place not in self.fewer_waves and not any(
+            run.get(place, {}).get("cut off") for run in (
+                self.places, self.coarser_places))
 
     def person(self):
         """Stature and mass in the description of the person, by their units."""
