@@ -264,7 +264,7 @@ TEST_F(FinishedStudy, MarksAContactThatLasts)
         {"contrecoup_pressure_cut_off", {{"value", 1.}, {"unit", "-"}}}}}};
   const std::string text =
     to_markdown(parameters_, evaluate(parameters_, tasks_));
-  EXPECT_NE(text.find("|  | ≥ 9.18 | ≥ 9510 | ≥ 9990 | ≤ -4.17e+04 |"),
+  EXPECT_NE(text.find("| unknown | ≥ 9.18 | ≥ 9510 | ≥ 9990 | ≤ -4.17e+04 |"),
             std::string::npos)
     << text;
 }
@@ -284,9 +284,9 @@ TEST_F(FinishedStudy, ShowsFurtherNumbersOfRunsAndReference)
   EXPECT_TRUE(std::isnan(result.rows[4].columns[1]));
   const std::string text = to_markdown(parameters_, result);
   for (const std::string line : {"| scheme | level | value | none |",
-                                 "| second | 2 | 7.062 |  |",
+                                 "| second | 2 | 7.062 | unknown |",
                                  "| second | 1 | unstable | unstable |",
-                                 "| reference run |  | 7.016 |  |",
+                                 "| reference run |  | 7.016 | unknown |",
                                  "Not finished, 1 of 6:"})
     EXPECT_NE(text.find("\n" + line + "\n"), std::string::npos) << text;
   const std::string table = to_csv(parameters_, result);
