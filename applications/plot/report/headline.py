@@ -29,6 +29,7 @@ COMPARED = {"peak_overpressure": "peak overpressure",
 PROBE = least_phases.PROBE  # where the run is compared with the tables
 LUNGS = ("lung_exposure", "lung_lethality")
 # Loads by which probabilities follow.
+PRODUCTS = 0.1  # mass fraction from which they are told
 LOADS = {"lung_lethality": "lung_exposure", "eardrum_rupture": "peak_overpressure"}
 CHANCES = tuple(LOADS)
 BOUNDS = "for probabilities the bounds that follow from those of their load"
@@ -371,6 +372,7 @@ def _certainty(scene, judged):
         parts.append(f"{why[:1].upper()}{why[1:]}: death by lung injury follows "
                      "from the reflected load on the skin.")
     parts += _walls(scene, judged) + _grazed_sides(scene)
+    parts += _products(scene)
     parts += _tables(scene, judged) + _verdicts(scene, judged)
     parts += injury_table.cut_off(judged, "Scene/End time",
                                   scene.fact("end_time"))
@@ -391,6 +393,19 @@ def _certainty(scene, judged):
         parts.append("The scene is not complete: " + page.joined(
             str(name) for name in failed) + " failed.")
     return parts
+
+
+def _products(scene):
+    """That explosive products come to the probe beside the body."""
+    probes = scene.blast.table("probes.csv")
+    name = "probe_1_products"
+    if not injury_table.has_probe_at_body(scene) or not probes \
+            or name not in probes or probes[name].max() < PRODUCTS:
+        return []
+    return ["Explosive products come to the probe beside the body (up to "
+            f"{page.percent(probes[name].max(), 2)} of the mass): what is told of "
+            "people in the open there is of a wave that chest and head need not "
+            "meet."]
 
 
 def _walls(scene, judged):
