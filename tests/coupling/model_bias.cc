@@ -99,6 +99,7 @@ TEST(ModelBias, IsAWarningOfRunsWithInjuries)
 {
   const std::vector<std::string> anfo = {
     "Domain/Dimension=1",
+    "Domain/Geometry=spherical",
     "Material/Equation of state=jwl in air",
     "Material/Explosive=anfo",
     "Charges/Charge 1/Mass=8",
@@ -111,7 +112,9 @@ TEST(ModelBias, IsAWarningOfRunsWithInjuries)
             std::string::npos);
   EXPECT_NE(lines[0].find("peak -9 %, impulse -28 %, duration -58 %"),
             std::string::npos);
-  for (const char *other : {"Probes/Injury=false",
+  for (const char *other : {"Domain/Geometry=plane",
+                            "Charges/Charge 1/Shape=box",
+                            "Probes/Injury=false",
                             "Probes/Points=30",
                             "Material/Explosive=tnt",
                             "Charges/Afterburn/Kind=miller",

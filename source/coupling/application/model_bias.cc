@@ -117,6 +117,18 @@ namespace
   }
 
 
+  /// Whether a charge is a sphere whose wave spreads in space: the bias was
+  /// measured for these alone.
+  bool is_sphere(const ParameterHandler &prm, const std::string &charge)
+  {
+    const std::vector<std::string> geometries = {
+      "", "spherical", "axisymmetric"};
+    const long dim = prm.get_integer({"Domain"}, "Dimension");
+    return prm.get({"Charges", "Charge " + charge}, "Shape") == "sphere" &&
+           (dim == 3 || prm.get({"Domain"}, "Geometry") == geometries[dim]);
+  }
+
+
   /// The only charge of a run, of an explosive of the library.
   BiasedBurst read_burst(ParameterHandler &prm, const std::string &charge)
   {
@@ -174,7 +186,8 @@ std::vector<std::string> warn_of_bias(ParameterHandler &prm)
   constexpr double most = 0.2; // beyond which injuries of lungs are others
   const std::vector<std::string> charges = item_names(prm, "Charges/Charge");
   if (charges.size() != 1 || !prm.get_bool({"Probes"}, "Injury") ||
-      prm.get({"Material"}, "Explosive") == "custom")
+      prm.get({"Material"}, "Explosive") == "custom" ||
+      !is_sphere(prm, charges.front()))
     return {};
   const BiasedBurst burst = read_burst(prm, charges.front());
   const auto size = [](const ModelBias &bias) {
@@ -193,7 +206,7 @@ std::vector<std::string> warn_of_bias(ParameterHandler &prm)
     return {};
   return {
     "WARNING: Material/Explosive = " + burst.explosive + ": " + brief(at) +
-    " m from the charge the model's incident wave differs "
+    " m from the charge in free air the model's wave differs "
     "from the tables, whatever the cells, by " +
     in_words(worst) + "; injuries of lungs by the probes differ accordingly"};
 }

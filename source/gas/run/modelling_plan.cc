@@ -50,8 +50,8 @@ namespace
     {
       result.push_back({"air",
                         "constant heat capacities",
-                        "excess pressure behind the front at the nearest "
-                        "of Probes/Points",
+                        "excess pressure behind the incident front at the "
+                        "nearest of Probes/Points",
                         "-",
                         unknown,
                         0.1,
