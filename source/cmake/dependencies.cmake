@@ -63,4 +63,9 @@ if(NOT DEFINED Python3_EXECUTABLE AND EXISTS /usr/bin/python3)
 endif()
 find_package(Python3 REQUIRED COMPONENTS Interpreter)
 
+# The usual linker reads the symbols of the 200 libraries behind deal.II anew for
+# each library and program: 41 s on Debian 13, where mold takes 1 s.
 include(${CMAKE_CURRENT_LIST_DIR}/mold.cmake)
+if(CONTRECOUP_MOLD)
+  add_link_options(-fuse-ld=mold)
+endif()

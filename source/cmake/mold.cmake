@@ -1,5 +1,5 @@
 # Debian 13's deal.II asks for the linker mold but does not depend on its
-# package.
+# package: without it the usual linker is taken.
 find_program(CONTRECOUP_MOLD mold)
 mark_as_advanced(CONTRECOUP_MOLD)
 if(NOT CONTRECOUP_MOLD)
