@@ -353,6 +353,25 @@ TEST(SceneFiles, PutTheProbeAsFarFromTheChargeAsTheBodyIsAndBesideIt)
 }
 
 
+// A jet runs along the ground, and not where most of the body is.
+TEST(SceneFiles, PutTheProbeBesideAChargeOnTheGroundAsHighAsTheMiddleOfTheBody)
+{
+  for (const auto &[distance, height] :
+       {std::pair<double, double>(3., 0.88), {1., 0.63}})
+  {
+    SceneParameters scene = scene_with(distance, 0.07);
+    scene.mass = 0.5;
+    scene.end_time = 0.01;
+    const SceneLayout layout(scene, standing_box());
+    ASSERT_TRUE(layout.is_surface_burst);
+    ASSERT_TRUE(layout.probe);
+    EXPECT_NEAR(layout.probe->distance(layout.charge), layout.distance, 1e-9);
+    EXPECT_NEAR((*layout.probe)[2], height, 0.03);
+    EXPECT_GT(standing_box().value(*layout.probe), 0.3);
+  }
+}
+
+
 TEST(SceneFiles, KeepReflectionsFromProbesOfTheUserInTheDomain)
 {
   SceneParameters scene = scene_with(2.337, 1.27);

@@ -3,11 +3,13 @@
 
 #include <contrecoup/base/parameters/parameter_tree.h>
 #include <contrecoup/solid/record/peak_fields.h>
+#include <contrecoup/solid/run/strain_item.h>
 
 #include "bone_and_brain.h"
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 using namespace contrecoup;
@@ -54,4 +56,19 @@ TEST(PeakFields, AreLowerLimitsWhereTheLastOnesAreTheLargest)
   EXPECT_EQ(marks_at(1e-4), "01111");
   EXPECT_EQ(marks_at(-2e-4), "10100");
   EXPECT_EQ(marks_at(0.), "00000");
+}
+
+
+// A strain that grows is not within its limit, but may be beyond it.
+TEST(StrainItem, DoesNotJudgeAStrainThatStillGrows)
+{
+  for (const bool grows : {false, true})
+    for (const double strain : {0.09, 0.11})
+    {
+      const Assumption item = solid::strain_item(
+        SolidKinematics::finite_rotation, {"lung", strain, grows});
+      EXPECT_EQ(item.value, strain);
+      EXPECT_EQ(std::isnan(item.limit), grows && strain < 0.1);
+      EXPECT_EQ(item.fails(), strain > 0.1);
+    }
 }

@@ -33,6 +33,23 @@ def arrival(time, values, part=ARRIVED):
     largest absolute value, as the blast defines arrivals on the skin; None for
     one that is zero throughout. The rise ends where a tenth of it is lost, and
     its middle is the mean time weighted with what the value grows by."""
+    rise = _first_rise(time, values, part)
+    return None if rise is None else float(rise[1] @ rise[0] / rise[1].sum())
+
+
+def arrival_span(time, values):
+    """From a tenth to nine tenths of the rise whose middle is the arrival [s]; 0
+    for a history that is zero throughout."""
+    rise = _first_rise(time, values, ARRIVED)
+    if rise is None:
+        return 0.
+    part = np.cumsum(rise[1]) / rise[1].sum()
+    low, high = (rise[0][int(np.argmax(part >= limit))] for limit in (0.1, 0.9))
+    return float(high - low)
+
+
+def _first_rise(time, values, part):
+    """Times and growths of the first rise, see arrival(); None without."""
     size = np.abs(values)
     if not size.max() > 0.:
         return None
@@ -41,8 +58,7 @@ def arrival(time, values, part=ARRIVED):
     lost = np.flatnonzero(size[begin:] < 0.9 * highest)
     highest = highest[:lost[0]] if lost.size else highest
     growth = np.diff(highest, prepend=0.)
-    times = np.asarray(time)[begin:begin + len(growth)]
-    return float(growth @ times / growth.sum())
+    return np.asarray(time)[begin:begin + len(growth)], growth
 
 
 def rise_time(time, values):

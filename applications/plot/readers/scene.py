@@ -18,15 +18,96 @@ GAUGE_MEASURES = ("arrival", "peak", "peak time", "impulse", "positive phase",
                   "cut off")
 
 
-class Scene:
+class Run:
+    """Results of a blast and of the biomechanics after it."""
+
+    def __init__(self, blast, biomechanics):
+        self.blast, self.biomechanics = blast, biomechanics
+        self._loads = None
+
+    def loads(self):
+        """loads.h5, or None."""
+        path = self.blast.path("loads.h5")
+        if self._loads is None and os.path.exists(path):
+            with files.reading(path):
+                self._loads = loads.Loads(path)
+        return self._loads
+
+    def gauge_measures(self):
+        """GAUGE_MEASURES of the gauges on the skin that a blast has reached:
+        numbers by gauge and name; {} without the file."""
+        path = self.blast.path("gauge_measures.csv")
+        if not os.path.exists(path):
+            return {}
+        with files.reading(path), open(path, newline="",
+                                       encoding="utf-8") as file:
+            found = {row.pop("place"): {
+                name.split(" [")[0]: float(value)
+                for name, value in row.items()}
+                for row in files.rows_of(file)}
+            for place in list(found):
+                numbers = [found[place][name] for name in GAUGE_MEASURES]
+                # "cut off" alone is known where no blast has arrived.
+                if np.isnan(numbers[:-1]).all() and np.isfinite(numbers[-1]):
+                    del found[place]
+                elif not np.isfinite(numbers).all():
+                    raise ValueError(f"{place}: no number")
+        return found
+
+    def gauge_planes(self):
+        """Maps of the blast in planes of gauges: by plane, one Plane by
+        quantity."""
+        with files.reading(self.blast.path("fields")):
+            found = planes.open_planes(self.blast.folder)
+        symmetry = loads.symmetry_planes(self.blast.folder)
+        groups = {}
+        for name, cuts in sorted(found.items()):
+            if name.startswith("gauges_plane_"):
+                quantity = cuts[0].quantity
+                cuts[0].mirror(symmetry)
+                groups.setdefault(name[:-len(quantity)], {})[quantity] = cuts[0]
+        return groups
+
+    def gauge_injury(self):
+        """Injuries by the loads at gauges: Measure by (measure, gauge)."""
+        return _injury(self.blast.path("gauge_injury.csv"))
+
+    def air_injury(self):
+        """Injuries to a person at the probes in the air: Measure by (measure,
+        probe)."""
+        return _injury(self.blast.path("probe_injury.csv"))
+
+    def measures(self):
+        """Measures of injury by name."""
+        return read_measures(self.biomechanics.path("injury.csv"))
+
+
+def _injury(path):
+    """Measure by (measure, place), {} without the file."""
+    if not os.path.exists(path):
+        return {}
+    found = {}
+    with files.reading(path), open(path, newline="",
+                                   encoding="utf-8") as file:
+        for row in files.rows_of(file):
+            value = float(row["value"])
+            if not np.isfinite(value):
+                raise ValueError(f"{row['measure']}: no number")
+            found[row["measure"], row["place"]] = Measure(
+                row["measure"], value, row["unit"], limits=row["definition"],
+                is_cut=is_cut(row))
+    return found
+
+
+class Scene(Run):
     """A scene with its stages."""
 
     def __init__(self, folder):
         self.folder = folder
         self.facts = files.read_json(os.path.join(folder, "scene.json"),
                                      json_shape.SCENE)
-        self.anatomy, self.blast, self.biomechanics = (
-            self.stage(name) for name in STAGES)
+        self.anatomy, *stages = (self.stage(name) for name in STAGES)
+        super().__init__(*stages)
         self.parameters = read_entries(os.path.join(folder, "parameters.prm"))
         self.coarser = self._coarser_run()
         if not self.facts and not any(
@@ -35,16 +116,17 @@ class Scene:
             raise files.BrokenInput(
                 f"{folder}: neither scene.json nor a stage's folder ("
                 + ", ".join(STAGES) + ") is in it")
-        self._loads, self._fields = None, None
+        self._fields = None
 
     def _coarser_run(self):
-        """The CoarserRun, or None unless all its stages are finished."""
+        """The Run with larger cells and elements, or None unless all its stages
+        are finished."""
         stages = [stage for stage in self.list_of("stages")
                   if str(stage.get("name")).startswith("coarser_")]
         if not stages or any(stage.get("status") not in ("finished", "reused")
                              for stage in stages):
             return None
-        return CoarserRun(*(
+        return Run(*(
             self.stage(name)
             for name in ("coarser_blast", "coarser_biomechanics")))
 
@@ -140,12 +222,6 @@ class Scene:
             for name in ("first_", ""))
         return largest if first is None else first
 
-    def loads(self):
-        """loads.h5, or None."""
-        if self._loads is None:
-            self._loads = read_loads(self.blast)
-        return self._loads
-
     def asks_for_loads(self):
         """Whether the scene ends with the loads on the skin."""
         return self.facts.get("question") == "loads"
@@ -170,11 +246,6 @@ class Scene:
         return {name: cuts for name, cuts in found.items()
                 if cuts[0].quantity == "pressure"}
 
-    def gauge_planes(self):
-        """Maps of the blast in planes of gauges: by plane, one Plane by
-        quantity."""
-        return read_gauge_planes(self.blast)
-
     def field_list(self):
         """Times and files of what biomechanics wrote; [] without."""
         path = self.biomechanics.path("fields.pvd")
@@ -193,116 +264,3 @@ class Scene:
             with files.reading(piece):
                 parts.append(vtk_file.read(piece))
         return parts
-
-    def gauge_measures(self):
-        """GAUGE_MEASURES of the gauges on the skin that a blast has reached:
-        numbers by gauge and name."""
-        return read_gauge_measures(self.blast)
-
-    def gauge_injury(self):
-        """Injuries by the loads at gauges: Measure by (measure, gauge)."""
-        return read_gauge_injury(self.blast)
-
-    def air_injury(self):
-        """Injuries to a person at the probes in the air: Measure by (measure,
-        probe)."""
-        return read_gauge_injury(self.blast, "probe_injury.csv")
-
-    def measures(self):
-        """Measures of injury by name."""
-        return read_measures(self.biomechanics.path("injury.csv"))
-
-
-class CoarserRun:
-    """Results of the run with larger cells and elements."""
-
-    def __init__(self, blast, biomechanics):
-        self.blast, self.biomechanics = blast, biomechanics
-
-    def loads(self):
-        """As Scene.loads()."""
-        return read_loads(self.blast)
-
-    def gauge_measures(self):
-        """As Scene.gauge_measures()."""
-        return read_gauge_measures(self.blast)
-
-    def gauge_injury(self):
-        """As Scene.gauge_injury()."""
-        return read_gauge_injury(self.blast)
-
-    def air_injury(self):
-        """As Scene.air_injury()."""
-        return read_gauge_injury(self.blast, "probe_injury.csv")
-
-    def gauge_planes(self):
-        """As Scene.gauge_planes()."""
-        return read_gauge_planes(self.blast)
-
-    def measures(self):
-        """As Scene.measures()."""
-        return read_measures(self.biomechanics.path("injury.csv"))
-
-
-def read_gauge_planes(blast):
-    """One Plane by quantity, by name of the plane of gauges."""
-    with files.reading(blast.path("fields")):
-        found = planes.open_planes(blast.folder)
-    symmetry = loads.symmetry_planes(blast.folder)
-    groups = {}
-    for name, cuts in sorted(found.items()):
-        if name.startswith("gauges_plane_"):
-            quantity = cuts[0].quantity
-            cuts[0].mirror(symmetry)
-            groups.setdefault(name[:-len(quantity)], {})[quantity] = cuts[0]
-    return groups
-
-
-def read_loads(blast):
-    """loads.h5, or None."""
-    path = blast.path("loads.h5")
-    if not os.path.exists(path):
-        return None
-    with files.reading(path):
-        return loads.Loads(path)
-
-
-def read_gauge_measures(blast):
-    """gauge_measures.csv: numbers by gauge and name, of gauges that a blast has
-    reached; {} without the file."""
-    path = blast.path("gauge_measures.csv")
-    if not os.path.exists(path):
-        return {}
-    with files.reading(path), open(path, newline="",
-                                   encoding="utf-8") as file:
-        found = {row.pop("place"): {
-            name.split(" [")[0]: float(value)
-            for name, value in row.items()}
-            for row in files.rows_of(file)}
-        for place in list(found):
-            numbers = [found[place][name] for name in GAUGE_MEASURES]
-            # "cut off" alone is known where no blast has arrived.
-            if np.isnan(numbers[:-1]).all() and np.isfinite(numbers[-1]):
-                del found[place]
-            elif not np.isfinite(numbers).all():
-                raise ValueError(f"{place}: no number")
-    return found
-
-
-def read_gauge_injury(blast, name="gauge_injury.csv"):
-    """gauge_injury.csv, or probe_injury.csv of the same shape: Measure by
-    (measure, place), {} without the file."""
-    path = blast.path(name)
-    if not os.path.exists(path):
-        return {}
-    found = {}
-    with files.reading(path), open(path, newline="",
-                                   encoding="utf-8") as file:
-        for row in files.rows_of(file):
-            value = float(row["value"])
-            if not np.isfinite(value):
-                raise ValueError(f"{row['measure']}: no number")
-            found[row["measure"], row["place"]] = Measure(
-                row["measure"], value, row["unit"], limits=row["definition"],
-                is_cut=is_cut(row))
-    return found

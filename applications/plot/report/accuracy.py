@@ -212,6 +212,12 @@ def _checks(scene):
                 f" What cancels leaves {page.quantity(left[0], 'N s')} of the "
                 "recorded one when that is largest, "
                 f"{page.quantity(left[1], 'N s')} on the elements then.")
+        rest = load_impulses.rest(scene)
+        if rest is not None:
+            told = ["(" + ", ".join(page.number(part) for part in one) + ") N s"
+                    for one in rest]
+            items[-1] += (f" At the end of the record its components are "
+                          f"{told[0]} recorded and {told[1]} on the elements.")
     loss = scene.blast.found("checks", "loads_sampled_peak_loss")
     if loss is not None:
         items.append("Recording: samples miss at most "

@@ -228,13 +228,28 @@ def verdict_figure(scene, verdicts):
         picture, "The body from the sides that the blast loads most, coloured "
         f"by the peak overpressure, {largest} at most"
         + (", with marks at " + page.joined(mark.words for mark in marks)
-           if marks else "") + ".", "Peak overpressure on the skin."
+           if marks else "") + ".", "Peak overpressure on the skin, "
+        f"{largest} at most." + _peak_beside_tables(scene)
         + (" Marks have the colour of their verdict: green below all "
            "thresholds, red above all, brown between, or where a threshold lies "
            "within the error, or measures or the tables differ, grey where the "
            "end of the run leaves a part unjudged"
            + ("." if all(mark.is_seen for mark in marks) else
               "; hollow ones are behind what is seen.") if marks else ""))
+
+
+def _peak_beside_tables(scene):
+    """Sentences: the error of the largest peak on the skin, and the reflected
+    peak of the tables."""
+    text = ""
+    error = error_estimate.of_skin(scene, "peak")[2]
+    if error is not None:
+        text += f" The numerical error of the largest peak is {page.error(error)}."
+    wall = scene.table_answer("overpressure")[1]
+    if wall is not None:
+        text += (f" By the tables, {page.quantity(wall, 'Pa')} reach an endless "
+                 "wall as far from the charge as the nearest skin.")
+    return text
 
 
 def _skin_at_coup(scene, places):

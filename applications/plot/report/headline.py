@@ -11,7 +11,9 @@ from plot.readers.scene import COARSER
 from plot.report import (error_estimate, injury_table, least_phases,
                          load_impulses, page, reflections, unfinished, verdict)
 from plot.report.energy_audit import EnergyAudit
-from plot.report.injury_thresholds import KNOWN, of_run, probability
+from plot.report.injury_thresholds import (KNOWN, SEA_LEVEL,
+                                           median_lethal_load, of_run,
+                                           probability)
 
 LARGE_LOAD_DIFFERENCE = 0.02  # of impulses on skin and elements
 LARGE_PUSH_DIFFERENCE = 0.1  # of small differences of large impulses
@@ -33,6 +35,7 @@ PRODUCTS = 0.1  # mass fraction from which they are told
 LOADS = {"lung_lethality": "lung_exposure", "eardrum_rupture": "peak_overpressure"}
 CHANCES = tuple(LOADS)
 BOUNDS = "for probabilities the bounds that follow from those of their load"
+ASKEW = 25.  # degrees from the nearest gauge's axis to the charge, told from here on
 LARGE_BIAS = 0.1  # of the model, which may decide a verdict
 LEVEL = 0.1  # m, difference in height that the wave does not notice
 MOST_LINES = 3  # of what could change the verdict, in the text version
@@ -372,7 +375,7 @@ def _certainty(scene, judged):
         parts.append(f"{why[:1].upper()}{why[1:]}: death by lung injury follows "
                      "from the reflected load on the skin.")
     parts += _walls(scene, judged) + _grazed_sides(scene)
-    parts += _products(scene)
+    parts += _products(scene) + _long_load(scene, judged) + _askew(scene, judged)
     parts += _tables(scene, judged) + _verdicts(scene, judged)
     parts += injury_table.cut_off(judged, "Scene/End time",
                                   scene.fact("end_time"))
@@ -406,6 +409,37 @@ def _products(scene):
             f"{page.percent(probes[name].max(), 2)} of the mass): what is told of "
             "people in the open there is of a wave that chest and head need not "
             "meet."]
+
+
+def _long_load(scene, judged):
+    """That lungs are judged by a longer load than the first positive phase."""
+    load = injury_table.find(judged, "lung_exposure_air")
+    longer = scene.air_injury().get(("lung_load_duration", PROBE))
+    first = scene.blast.found("results", "probe_1_duration")
+    mass = scene.blast.parameter("Loads/Body mass")
+    if None in (load, longer, first, mass):
+        return []
+    lethal = [median_lethal_load(phase, mass[0], SEA_LEVEL)
+              for phase in (longer.value, first)]
+    return ["The load on the lung is judged over "
+            f"{page.milliseconds(longer.value)}, to the end of a later phase "
+            "among explosive products; over the first phase of "
+            f"{page.milliseconds(first)} it is "
+            f"{page.number(load.value * lethal[0] / lethal[1])} instead of "
+            f"{load.shown()}."]
+
+
+def _askew(scene, judged):
+    """That none of the gauges around the trunk faces the charge."""
+    azimuth = (scene.facts.get("person") or {}).get("charge_azimuth")
+    if azimuth is None \
+            or injury_table.find(judged, "chest_wall_mean") is None:
+        return []
+    off = abs((azimuth + 45.) % 90. - 45.)
+    return [] if off < ASKEW else [
+        f"The charge is {page.number(off, 2)}° off the axes of chest, back and "
+        "sides: none of the four gauges whose mean velocity of the chest wall "
+        "judges the lungs faces it, and the mean may be too low."]
 
 
 def _walls(scene, judged):
@@ -447,6 +481,7 @@ def _tables(scene, judged):
                "Trust neither before a run with finer cells "
                f"({_entry_of_cells(scene)})."))
     differing, unsure, chances, n_carried = [], [], [], 0
+    biases, n_biased = _known_biases(scene), 0
     for row in _rows(scene):
         here, known = (files.as_number(row.get(key))
                        for key in ("run", "tables"))
@@ -467,6 +502,12 @@ def _tables(scene, judged):
             differing.append(f"the {words} is {least}"
                              f"{page.percent(abs(change))} "
                              + ("below" if change < 0. else "above"))
+            bias = biases.get(str(row.get("name")).removesuffix(
+                "_overpressure"), 0.)
+            if bias * change > 0. and abs(bias) >= 0.5 * abs(change):
+                n_biased += 1
+                differing[-1] += " (the known bias of the model is " \
+                    f"{page.given(round(abs(100. * bias)), '%')})"
             if files.as_number(row.get("run_error")) is None:
                 unsure.append(f"the {words}")
     if differing:
@@ -479,7 +520,8 @@ def _tables(scene, judged):
                if len(unsure) == len(differing) else
                "is known of both errors (that of the run is unknown of "
                + page.joined(unsure) + ")")
-            + ("" if (scene.facts.get("tables") or {}).get("is_published", True)
+            + ("" if n_biased == len(differing)
+               or (scene.facts.get("tables") or {}).get("is_published", True)
                else " (the TNT equivalence is a ratio of energies, not "
                "measured)")
             + ("." if n_carried == 0 else "; loads and verdicts carry "

@@ -122,6 +122,10 @@ def ask_tables(scene, judged):
         if entry is not None:
             answers.append(([entry], lungs_of_tables(scene, name),
                             at_trunk(scene)))
+    # Thresholds of the user's own judge the load on the skin, too.
+    skin = find(judged, SKIN_NAMES["lung_exposure", loaded_side(scene)])
+    if skin is not None and skin.is_own and skin.name != load:
+        answers.append(([skin], scene.table_answer("lung_exposure"), ""))
     for entries, known, place in answers:
         bounds = [entry.bounds() or 2 * (entry.value,) for entry in entries]
         if None in known or any(high >= known[0] and low <= known[1]
@@ -259,7 +263,7 @@ def of_file(name, measure, all_known):
 
 def _measures_of(scene, run, side, lungs, all_known):
     """Each Measure and what is known of it, by name; @p run: the Scene or its
-    CoarserRun, @p lungs: see lungs_by()."""
+    coarser Run, @p lungs: see lungs_by()."""
     found = {}
 
     def add(name, measure, known):

@@ -4,6 +4,9 @@
 
 import math
 
+# Least difference of impulses that is told, as a part of the largest one.
+NOTABLE = 0.02
+
 
 def along(scene):
     """The recorded impulse of the whole body when it is largest and, along its
@@ -28,6 +31,19 @@ def pushes_left(scene):
     found = [scene.biomechanics.found("checks", f"loads_largest_{name}_push")
              for name in ("recorded", "mapped")]
     return None if None in found else tuple(found)
+
+
+def rest(scene):
+    """Recorded impulse of the whole body at the end of the record and that on
+    the elements, vectors [N s]; None where they are unknown or agree within
+    NOTABLE of the largest one."""
+    found = [[scene.biomechanics.found("checks", f"loads_{name}_impulse_{axis}")
+              for axis in "xyz"] for name in ("recorded", "mapped")]
+    largest = along(scene)
+    if largest is None or None in found[0] + found[1] \
+            or math.dist(*found) <= NOTABLE * largest[0]:
+        return None
+    return tuple(found)
 
 
 def difference_of_motion(scene):

@@ -18,6 +18,7 @@ EXPLOSIVE_DENSITY = {"tnt": 1630., "c-4": 1601., "petn": 1770.}
 # After the onset of pressure in tissue, when waves pass that are not echoes
 # of echoes yet [s].
 FIRST_WAVES = 2.5e-3
+SLOW_RISE = 2e-4  # of a pressure in tissue, told from here on [s]
 SOLID = "#cfc9be"  # colour of ground and walls
 
 
@@ -373,11 +374,20 @@ def _tissue_events(scene):
         largest = int(np.argmax(np.where(near, np.abs(values), 0.)))
         found.append(Event(
             "tissue", place.title(), begin, None, float(time[largest]),
-            f"{page.quantity(float(values[largest]), 'Pa')} then; "
+            _slow_rise(time, values)
+            + f"{page.quantity(float(values[largest]), 'Pa')} then; "
             + " to ".join(page.quantity(bound, "Pa")
                           for bound in signals.extremes(values))
             + " over the whole run"))
     return sorted(found, key=lambda event: event.begin)
+
+
+def _slow_rise(time, values):
+    """How long the rise lasts whose middle is called the arrival, a clause; ""
+    of a fast one."""
+    span = signals.arrival_span(time, values)
+    return "" if span < SLOW_RISE else \
+        f"a rise of {page.quantity(span, 's', 2)}, whose middle is the arrival; "
 
 
 def _offset(scene):
@@ -401,8 +411,9 @@ def timeline(scene):
                 "continues at the end of the run" if event.is_cut else
                 f"ends at {page.milliseconds(event.end)}")
         elif event.lane == "tissue":
-            text = (f"{event.what}: the wave arrives, first waves are largest "
-                    f"at {page.milliseconds(event.mark)}")
+            text = (f"{event.what}: the wave arrives, the absolute pressure "
+                    "within 2.5 ms is largest at "
+                    + page.milliseconds(event.mark))
         else:
             text = event.what
         rows.append((page.milliseconds(event.begin), text, event.detail))
@@ -429,8 +440,8 @@ def _timeline_chart(scene, found):
                     "of a second wave, reflected by the ground, walls or the "
                     "body, or sent by the charge itself. ")
     if "tissue" in lanes:
-        caption += ("Lines: from the arrival in the tissue to the largest "
-                    "absolute pressure within 2.5 ms. ")
+        caption += ("Lines: from the arrival in the tissue, which is slow in "
+                    "lungs, to the largest absolute pressure within 2.5 ms. ")
     rises = _rises(scene)
     if rises:
         caption += ("Arrivals are the middle of the first rise, which lasts "

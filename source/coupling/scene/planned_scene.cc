@@ -94,6 +94,16 @@ void PlannedScene::find_remarks(dealii::ParameterHandler &prm)
   SceneParameters usual = parameters_;
   usual.element_size = 0.;
   usual.fit_elements(layout_->unturned);
+  const std::vector<std::string> own = parameters_.own_thresholds.measures();
+  const auto is_own = [&](const std::string &measure) {
+    return std::find(own.begin(), own.end(), measure) != own.end();
+  };
+  if (layout_->probe && !layout_at_trunk() && is_own("lung_exposure") &&
+      !is_own("lung_exposure_air"))
+    remarks_.emplace_back(
+      "Injury/Measure lung_exposure: its thresholds judge the load on the "
+      "chest's skin alone; lungs are judged by the free-field load, whose "
+      "published thresholds Measure lung_exposure_air replaces");
   const std::vector<BodyLayer> layers = read_layers(prm);
   const std::string entry = "Scene/Element size";
   for (const std::string &line : thin_layer_lines(

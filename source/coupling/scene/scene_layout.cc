@@ -338,10 +338,20 @@ void SceneLayout::place_probe(const dealii::BoundingBox<3> &domain)
     at_low ? body.lower_bound(1) - gap : body.upper_bound(1) + gap;
   const double aside = std::clamp(beside - charge[1], -distance, distance);
   // Not below zero by round-off.
-  const double along =
+  const double room =
     std::sqrt(std::max(0., distance * distance - aside * aside));
+  // A charge on the ground sends a jet along it, below most of the body.
+  constexpr double steepest = 0.7; // of the way
+  const double up =
+    is_surface_burst
+      ? std::max(0.,
+                 std::min({body.center()[2] - charge[2],
+                           steepest * room,
+                           domain.upper_bound(2) - least - charge[2]}))
+      : 0.;
+  const double along = std::sqrt(std::max(0., room * room - up * up));
   const double toward = body.center()[0] < charge[0] ? -1. : 1.;
-  const Point<3> place = charge + Point<3>(toward * along, aside, 0.);
+  const Point<3> place = charge + Point<3>(toward * along, aside, up);
   // The ground may be near: that of the user's scene is everywhere.
   const bool is_free = place[0] - domain.lower_bound(0) >= least &&
                        domain.upper_bound(0) - place[0] >= least &&

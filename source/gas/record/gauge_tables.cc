@@ -242,6 +242,15 @@ namespace
                     name == "chest_wall_velocity" &&
                       air.exposure.chest.is_fastest_now());
     }
+    const double load_duration =
+      air.exposure.durations(air.blast.duration).second;
+    if (!std::isnan(values[0]) && load_duration > air.blast.duration)
+      rows += row("lung_load_duration",
+                  air.place,
+                  load_duration,
+                  "s",
+                  "duration of the load for the lung exposure, to the end of a "
+                  "later phase among products");
     if (with_chest)
       rows +=
         row("peak_overpressure",

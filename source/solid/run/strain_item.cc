@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/base/system/text.h>
 #include <contrecoup/solid/run/strain_item.h>
 
+#include <cmath>
 #include <limits>
 
 namespace contrecoup::solid
@@ -55,6 +57,13 @@ Assumption strain_item(const SolidKinematics kinematics,
       ? item.quantity + ", measured by Peaks/Active = true alone"
       : strain_of("the most strained tissue, " + tissue.name + ",") +
           (tissue.grows ? " and that still grows at the end" : "");
+  // A strain that grows may exceed its limit later.
+  if (tissue.grows && !item.fails() && !std::isnan(item.limit))
+  {
+    item.quantity +=
+      ", so that its limit of " + brief(item.limit) + " is not judged";
+    item.limit = unknown;
+  }
   return item;
 }
 } // namespace contrecoup::solid

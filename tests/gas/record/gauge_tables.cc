@@ -438,6 +438,27 @@ TEST(GaugeTables, KnowLungsOfAnEndlessPhaseThatKillsNobody)
 }
 
 
+// A reader of the first positive phase alone would not find the lung exposure.
+TEST(GaugeTables, TellHowLongTheLoadLastsAmongProducts)
+{
+  for (const double products : {0., 0.99})
+  {
+    AirBlast air{"probe 1", {0.7e6, 300., 1e-3, 8e-4}, 101325., {}, 320.};
+    air.exposure.load = standing_load(0.7e6, 101325.);
+    air.exposure.products = products;
+    air.exposure.lasting = air.exposure.pressing = 2e-3;
+    air.exposure.load_impulse = 320.;
+    const auto rows = rows_of(air_injury_table({air}, 70., false));
+    const bool is_longer = products > 0.;
+    ASSERT_EQ(rows.size(), is_longer ? 5U : 4U);
+    EXPECT_EQ(rows.back()[0],
+              is_longer ? "lung_load_duration" : "eardrum_rupture");
+    if (is_longer)
+      EXPECT_EQ(std::stod(rows.back()[2]), 2e-3);
+  }
+}
+
+
 // Later phases belong to the wave of products, which overexpand; a wave within
 // the first one does not.
 TEST(GaugeTables, CountTheFirstPhaseAloneAmongProducts)

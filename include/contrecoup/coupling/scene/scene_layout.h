@@ -98,7 +98,8 @@ struct SceneLayout
   /// ground [m].
   double front_distance;
   /// Probe of the wave in the air next to the body, at the body's distance from
-  /// the charge; none where the charge or sides are too near.
+  /// the charge and as high as the charge, beside a charge on the ground as
+  /// high as the body's middle; none where the charge or sides are too near.
   std::optional<dealii::Point<3>> probe;
   dealii::Point<3> lower, upper; ///< corners of the domain [m]
   std::array<unsigned int, 3> n_leaves;

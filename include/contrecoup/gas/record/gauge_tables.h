@@ -114,6 +114,9 @@ std::string words_of_unknown_lungs(const std::string &places);
  * out of the 45 to 115 kPa at which people live, see is_habitable(); empty
  * without others.
  *
+ * The duration of the load on the lungs stands there where it is longer than
+ * the first positive phase.
+ *
  * @param with_chest whether the motion of the chest was recorded; then the
  * table has the chest wall velocity where it is known, and the peak
  * overpressure, by which limits of training are given
