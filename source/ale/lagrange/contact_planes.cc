@@ -12,10 +12,6 @@
 
 namespace contrecoup::ale
 {
-namespace
-{} // namespace
-
-
 void ContactPlanes::declare_parameters(ParameterHandler &prm)
 {
   const Section section(prm, "Plane *");

@@ -16,10 +16,6 @@
 
 namespace contrecoup::ale
 {
-namespace
-{} // namespace
-
-
 void require_valid_cells(const dealii::Triangulation<3> &mesh)
 {
   for (const auto &cell : mesh.active_cell_iterators())

@@ -7,10 +7,6 @@
 
 namespace contrecoup::ale
 {
-namespace
-{} // namespace
-
-
 std::string write_ale(const HexSpace &space,
                       const LagrangeStep &lagrange,
                       const AleState &state,
