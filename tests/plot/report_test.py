@@ -471,6 +471,49 @@ class ReportTest(unittest.TestCase):
             self.assertEqual("of where the person faces." in
                              headline._opening(scene), "faces" in words)
 
+    def test_wave_that_is_not_simple(self):
+        """Bowen's curves are made for simple waves."""
+        load = types.SimpleNamespace(name="lung_exposure_air")
+        for fraction, told in ((0.61, "its first wave has 61 % of the impulse"),
+                               (0.9, "")):
+            scene = types.SimpleNamespace(air_injury=lambda f=fraction: {
+                ("first_phase_fraction", "probe 1"):
+                types.SimpleNamespace(value=f)})
+            said = " ".join(headline._not_simple(scene, [load]))
+            self.assertEqual(bool(said), bool(told))
+            self.assertIn(told, said.replace("\xa0", " "))
+
+    def test_wave_that_runs_ahead(self):
+        """Along the ground, of a charge on it alone."""
+        for burst, arrival, told in (("hemispherical", 1.3e-3, True),
+                                     ("hemispherical", 1.7e-3, False),
+                                     ("spherical", 1.3e-3, False)):
+            scene = types.SimpleNamespace(
+                facts={"tables": {"burst": burst, "answer": {
+                    "arrival": 1.82e-3}}},
+                loads=lambda a=arrival: types.SimpleNamespace(
+                    arrived=lambda: np.array([True, True]),
+                    measure=lambda _: np.array([a, 2e-3]),
+                    centroids=np.array([[0., 0., 0.04], [0., 0., 1.]])))
+            said = " ".join(headline._runs_ahead(scene)).replace("\xa0", " ")
+            self.assertEqual(bool(said), told)
+            self.assertIn("first after 1.30 ms, 0.04 m above the ground, where "
+                          "the tables have 1.82 ms" if told else "", said)
+
+    def test_eardrums_at_the_nearer_ear(self):
+        """Their row has the tables at their distance, in page and file."""
+        scene = Scene(self.whole)
+        distance = scene.fact("distance")
+        for there, count in ((1.01 * distance, 0), (1.3 * distance, 1)):
+            scene.facts["tables"]["ears"] = {
+                "distance": there, "in_the_open": {"eardrum_rupture": 0.69},
+                "before_a_wall": {"eardrum_rupture": 0.99}}
+            rows = [row for row in headline._compared(
+                scene, injury_table.judge(scene)) if "nearer ear" in row[0]]
+            self.assertEqual(len(rows), count)
+        self.assertIn("69 % (99 % before a wall)",
+                      str(rows[0][-1]).replace("\xa0", " "))
+
     def test_load_that_lasts_longer(self):
         """Than the first positive phase, among products."""
         load = types.SimpleNamespace(name="lung_exposure_air", value=0.562,
@@ -1611,7 +1654,7 @@ class ReportTest(unittest.TestCase):
         slow = 5e-4 * np.interp(time, [1., 2., 3.], [0., 1., 0.])
         self.assertAlmostEqual(signals.arrival_span(time, slow), 0.8, 1)
         self.assertEqual(signals.arrival_span(time, 0. * slow), 0.)
-        self.assertIn("a rise of 800\xa0µs, whose middle is the arrival",
+        self.assertIn("; the arrival is the middle of a rise of 800\xa0µs",
                       scene_sections._slow_rise(1e-3 * time, slow))
         self.assertEqual(scene_sections._slow_rise(1e-4 * time, slow), "")
 
@@ -2029,8 +2072,8 @@ class ReportTest(unittest.TestCase):
                     "load", [(0.2, "threshold of lung injury")], "", ""), None,
                 "")
             scene = types.SimpleNamespace(
-                table_answer=lambda _: (in_the_open, None),
-                table_answer_at_trunk=lambda _: at_trunk, facts={},
+                table_answer=lambda _, where="answer":
+                at_trunk if where == "trunk" else (in_the_open, None), facts={},
                 list_of=lambda _: [], coarser=None)
             with unittest.mock.patch.object(
                     injury_table, "lungs_by",

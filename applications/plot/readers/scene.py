@@ -150,15 +150,12 @@ class Scene(Run):
 
     def table_answer(self, name, where="answer"):
         """Values of the tables for a person in the open and before a wall, of
-        scene.json; None each where they have none."""
+        scene.json, for the nearest skin, at the "trunk" where the load on its
+        skin tells of the lungs, or at the "ears"; None each where they have
+        none."""
         known = (self.facts.get("tables") or {}).get(where) or {}
         return tuple(files.as_number((known.get(place) or {}).get(name))
                      for place in ("in_the_open", "before_a_wall"))
-
-    def table_answer_at_trunk(self, name):
-        """The same at the distance of the trunk, where the load on its skin
-        tells of the lungs."""
-        return self.table_answer(name, "trunk")
 
     def warnings(self):
         """Warnings of all stages, each once, with the stages that had them;

@@ -422,8 +422,8 @@ def _gauge_errors(scene, gauges):
         "and phase do not hold if finer cells may let it fall to zero in the "
         "dip, after the least positive phase: where the dip is no deeper than "
         "its error, or in one run alone. A dash: no such dip shows; cells that "
-        "merge two waves hide it, too. Unknown where one run alone ends before "
-        "the phase does, or the phase of the coarser one alone has a later "
+        "merge two waves hide it, too. Unknown where a run ends before the phase "
+        "does, or the phase of the coarser one alone has a later "
         "wave.",
         numbers=(1, 2, 3, 4))
 

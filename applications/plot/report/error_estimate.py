@@ -166,5 +166,6 @@ def section(scene, judged):
             "wave; what happens in the body has at least the difference of the "
             "impulse on the elements from the recorded one; maximum and minimum "
             "brain pressure both take the larger of their errors, and so do "
-            "fraction and mean time of the brain at low pressure."),
+            "fraction and mean time of the brain at low pressure where both runs "
+            "have them whole."),
         numbers=(1, 2, 3))

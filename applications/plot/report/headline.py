@@ -5,6 +5,8 @@ what could change it, and the warnings of the runs."""
 
 import re
 
+import numpy as np
+
 from plot.analysis import person, tissue_places
 from plot.readers import files
 from plot.readers.scene import COARSER
@@ -29,12 +31,15 @@ COMPARED = {"peak_overpressure": "peak overpressure",
             "lung_lethality": KNOWN["lung_lethality"][0],
             "eardrum_rupture": "rupture probability of an eardrum in the open"}
 PROBE = least_phases.PROBE  # where the run is compared with the tables
+EAR = "nearer ear"
 LUNGS = ("lung_exposure", "lung_lethality")
 # Loads by which probabilities follow.
 PRODUCTS = 0.1  # mass fraction from which they are told
 LOADS = {"lung_lethality": "lung_exposure", "eardrum_rupture": "peak_overpressure"}
 CHANCES = tuple(LOADS)
 BOUNDS = "for probabilities the bounds that follow from those of their load"
+SIMPLE = 0.75  # least part of the impulse in the first wave of a simple one
+AHEAD = 0.85  # of the arrival by the tables
 ASKEW = 25.  # degrees from the nearest gauge's axis to the charge, told from here on
 LARGE_BIAS = 0.1  # of the model, which may decide a verdict
 LEVEL = 0.1  # m, difference in height that the wave does not notice
@@ -51,6 +56,7 @@ class Lead:
         self.opening = _opening(scene)
         self.reservations = _certainty(scene, judged)
         self.warnings = scene.warnings()
+        self.rows = _rows(scene)
         self.compared, self.gauge = _compared(scene, judged), _gauge(scene)
         self.has_probe = bool(scene.list_of("table_comparison")) \
             and not self.gauge
@@ -59,7 +65,7 @@ class Lead:
         mass = files.as_number((scene.facts.get("tables") or {}).get(
             "body_mass"))
         self.lungs = "" if mass is None or not any(
-            row.get("name") in LUNGS for row in _rows(scene)) else (
+            row.get("name") in LUNGS for row in self.rows) else (
                 f"; lungs of a person of {page.given(float(f'{mass:.3g}'), 'kg')}"
                 + (_at_trunk(scene) and f",{_at_trunk(scene)}"))
         self.explaining = reflections.explaining(scene)
@@ -226,7 +232,7 @@ def _compared(scene, judged=()):
                 * row["run"] * (1. - (row.get("run_error") or 0.)))
         notes = {key: [page.interval(*ends)] for key, ends in
                  _bounds_of_chances(scene, judged, name).items()} \
-            if is_chance else {}
+            if is_chance and row.get("place") != EAR else {}
         wall = row.get("before_a_wall", scene.table_answer(name)[1])
         if wall is not None and name in (*CHANCES, *LUNGS):
             told = page.chance if is_chance else page.number
@@ -265,6 +271,9 @@ def _title(row):
     name, place = str(row.get("name")), row.get("place") or PROBE
     if name == "lung_exposure" and place != PROBE:
         return f"load over the 50\u00a0% lethality load at the {place}"
+    if place == EAR:
+        return "rupture probability of an eardrum at the nearer ear (this run: " \
+            "by the load on its skin)"
     return COMPARED.get(name, name.replace("_", " ")) \
         + ("" if place == PROBE else f" at the {place}")
 
@@ -282,17 +291,33 @@ def _comparison_file(scene):
 
 
 def _rows(scene):
-    """Rows of table_comparison, with the lungs at the trunk where that is
-    farther from the charge; where no probe has the wave, after the answer of
-    the tables."""
+    """Rows of table_comparison, with lungs at the trunk and eardrums at the
+    nearer ear where these are farther from the charge; where no probe has the
+    wave, after the answer of the tables."""
     rows = scene.list_of("table_comparison")
     if not rows or _gauge(scene):
-        return _answer_rows(scene) + rows
-    if not injury_table.is_trunk_far(scene):
-        return rows
-    return [row for row in rows
-            if not str(row.get("name")).startswith("lung_")] \
-        + _trunk_rows(scene)
+        rows = _answer_rows(scene) + rows
+    elif injury_table.is_trunk_far(scene):
+        rows = [row for row in rows
+                if not str(row.get("name")).startswith("lung_")] \
+            + _trunk_rows(scene)
+    return rows + _ear_rows(scene)
+
+
+def _ear_rows(scene):
+    """A row as those of table_comparison, of the eardrum that is likelier to
+    rupture and of the tables at the nearer ear, where that is farther from the
+    charge than the nearest skin."""
+    there = ((scene.facts.get("tables") or {}).get("ears") or {}).get("distance")
+    if there is None or there <= injury_table.FARTHER_TRUNK * (
+            scene.fact("distance") or there):
+        return []
+    run = max((found.value for (name, _), found in scene.gauge_injury().items()
+               if name == "eardrum_rupture"), default=None)
+    known, wall = scene.table_answer("eardrum_rupture", "ears")
+    return [] if None in (run, known) else [
+        {"name": "eardrum_rupture", "place": EAR, "unit": "-", "run": run,
+         "tables": known, "before_a_wall": wall}]
 
 
 def _trunk_rows(scene):
@@ -305,7 +330,7 @@ def _trunk_rows(scene):
     for name, value in (("lung_exposure", run), (
             "lung_lethality", None if run is None else
             probability("lung_lethality", run))):
-        known, wall = scene.table_answer_at_trunk(name)
+        known, wall = scene.table_answer(name, "trunk")
         rows.append({"name": name, "place": "trunk", "unit": "-", "run": value,
                      "tables": known, "before_a_wall": wall})
     return [row for row in rows if row["tables"] is not None]
@@ -333,7 +358,7 @@ def _answer_rows(scene):
     place = "trunk" if injury_table.lungs_by(scene) == "skin" else PROBE
     for name in LUNGS:
         value, wall = scene.table_answer(name) if place == PROBE else \
-            scene.table_answer_at_trunk(name)
+            scene.table_answer(name, "trunk")
         rows.append({"name": name, "place": place, "tables": value,
                      "before_a_wall": wall, "unit": "-"})
     rows.append({"name": "eardrum_rupture", "unit": "-",
@@ -375,7 +400,8 @@ def _certainty(scene, judged):
         parts.append(f"{why[:1].upper()}{why[1:]}: death by lung injury follows "
                      "from the reflected load on the skin.")
     parts += _walls(scene, judged) + _grazed_sides(scene)
-    parts += _products(scene) + _long_load(scene, judged) + _askew(scene, judged)
+    parts += _products(scene) + _runs_ahead(scene)
+    parts += _not_simple(scene, judged) + _long_load(scene, judged) + _askew(scene, judged)
     parts += _tables(scene, judged) + _verdicts(scene, judged)
     parts += injury_table.cut_off(judged, "Scene/End time",
                                   scene.fact("end_time"))
@@ -409,6 +435,33 @@ def _products(scene):
             f"{page.percent(probes[name].max(), 2)} of the mass): what is told of "
             "people in the open there is of a wave that chest and head need not "
             "meet."]
+
+
+def _runs_ahead(scene):
+    """The jet along the ground of a charge on it, where it reaches the body."""
+    known = scene.loads()
+    expected = (scene.facts.get("tables") or {}).get("answer") or {}
+    if known is None or not reflections.is_surface_burst(scene) \
+            or not known.arrived().any() or "arrival" not in expected:
+        return []
+    times = np.where(known.arrived(), known.measure("arrival"), np.inf)
+    first = int(times.argmin())
+    return [] if times[first] > AHEAD * expected["arrival"] else [
+        "Along the ground the wave of a charge on it runs ahead: it reaches the "
+        f"skin first after {page.milliseconds(float(times[first]))}, "
+        f"{_height(known.centroids[first])} above the ground, where the tables "
+        f"have {page.milliseconds(expected['arrival'])} for the nearest skin; "
+        "loads on feet and legs are of this jet."]
+
+
+def _not_simple(scene, judged):
+    """That lungs are judged by a wave for which their measure is not made."""
+    fraction = scene.air_injury().get(("first_phase_fraction", PROBE))
+    return [] if fraction is None or fraction.value > SIMPLE or injury_table.find(
+        judged, "lung_exposure_air") is None else [
+            "The wave beside the body is not simple: its first wave has "
+            f"{page.percent(fraction.value)} of the impulse. The load on the lung "
+            "is made for simple waves, and taken of both waves together."]
 
 
 def _long_load(scene, judged):

@@ -224,7 +224,7 @@ def lungs_of_tables(scene, name):
     """The least and the largest value by the tables of a measure of the lungs at
     what tells whether these kill, see lungs_by(): that in the open, where the
     skin tells up to that before a wall; None each where they have none."""
-    return scene.table_answer_at_trunk(name) if lungs_by(scene) == "skin" \
+    return scene.table_answer(name, "trunk") if lungs_by(scene) == "skin" \
         else 2 * scene.table_answer(name)[:1]
 
 
@@ -401,8 +401,8 @@ def _row(entry):
 def _data_row(entry):
     """The same for the CSV file, with all digits."""
     return (entry.title, page.Rounded("", entry.value), entry.unit,
-            *("" if entry.error is None else page.Rounded("", bound)
-              for bound in entry.bounds() or ("", "")),
+            *("" if bound is None else page.Rounded("", bound)
+              for bound in entry.sure_bounds()),
             "yes" if entry.is_cut else "no",
             "; ".join(f"{limit!r}: {meaning}"
                       for limit, meaning in entry.thresholds),
@@ -446,4 +446,5 @@ def _chances(entry):
     """Probabilities in words, with their interval."""
     for event, value, bounds in entry.chances():
         yield f"{event}: {entry.shown_chance(value)}" + (
-            f" ({page.interval(*bounds)})" if bounds else "")
+            f" ({page.interval(*bounds)})" if bounds and not entry.is_cut
+            else "")

@@ -56,6 +56,14 @@ class Judged:
                      1. if self.is_fraction else math.inf)
         return tuple(sorted(min(max(end, low), high) for end in ends))
 
+    def sure_bounds(self):
+        """The same, None for an unknown one; a lower limit has none on the side
+        on which the value may continue."""
+        low, high = self.bounds() or (None, None)
+        if self.is_cut:
+            return (low, None) if self.value >= 0. else (None, high)
+        return low, high
+
     def coarser_spread(self):
         """Absolute error of a value of zero: the value of the coarser run, which
         lies farther off."""

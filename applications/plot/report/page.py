@@ -142,8 +142,8 @@ def chance(part, limits=()):
 
 def least_chance(part):
     """The same of a lower limit."""
-    return Rounded("≥ " + percent(part if part >= 0.001 else 0.),
-                   100. * part, "%") if part <= 0.99 else chance(part)
+    return Rounded("≥ " + percent(part), 100. * part, "%") \
+        if part <= 0.99 else chance(part)
 
 
 def interval(low, high, limits=()):

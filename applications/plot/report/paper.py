@@ -147,7 +147,7 @@ def _passage(scene):
         f"the resultant force, {page.quantity(float(size[top]), 'N')} at most,"
         f" falls below a tenth of that {page.milliseconds(until - first)} "
         "after its onset, and stays below from "
-        f"{page.milliseconds(held)} on",
+        f"{page.milliseconds(held)} after it on",
         AGREES if held < 5e-3 else PARTLY if until - first < 5e-3
         else DIFFERS,
         "" if held < 5e-3 else "the negative phase and the wave from the "

@@ -374,20 +374,19 @@ def _tissue_events(scene):
         largest = int(np.argmax(np.where(near, np.abs(values), 0.)))
         found.append(Event(
             "tissue", place.title(), begin, None, float(time[largest]),
-            _slow_rise(time, values)
-            + f"{page.quantity(float(values[largest]), 'Pa')} then; "
+            f"{page.quantity(float(values[largest]), 'Pa')} then; "
             + " to ".join(page.quantity(bound, "Pa")
                           for bound in signals.extremes(values))
-            + " over the whole run"))
+            + " over the whole run" + _slow_rise(time, values)))
     return sorted(found, key=lambda event: event.begin)
 
 
 def _slow_rise(time, values):
     """How long the rise lasts whose middle is called the arrival, a clause; ""
-    of a fast one."""
+    for a fast one."""
     span = signals.arrival_span(time, values)
     return "" if span < SLOW_RISE else \
-        f"a rise of {page.quantity(span, 's', 2)}, whose middle is the arrival; "
+        f"; the arrival is the middle of a rise of {page.quantity(span, 's', 2)}"
 
 
 def _offset(scene):

@@ -13,6 +13,9 @@ from plot.readers import formats
 from plot.report import injury_table
 
 WIDTH = 78  # of the lines of headline.txt
+# What is not known of a quantity beside that of the tables.
+ROW = {"place": "probe 1", "run": None, "cut_off": False, "run_error": None,
+       "tables_error": None, "differs": False}
 
 
 def of(scene, judged, lead, page):
@@ -26,7 +29,7 @@ def of(scene, judged, lead, page):
         "text": wrapped(lead.lines()),
         "verdicts": [_verdict(one) for one in lead.verdicts],
         "measures": [_measure(entry) for entry in judged],
-        "tables": facts.get("table_comparison") or [],
+        "tables": [{**ROW, **row} for row in lead.rows],
         "reservations": lead.reservations,
         "warnings": [{"text": text, "stages": stages}
                      for text, stages in lead.warnings.items()],
@@ -55,22 +58,13 @@ def _bounds(bounds):
     return {"least": _number(low), "largest": _number(high)}
 
 
-def _bounds_of(entry):
-    """Bounds by the numerics; a lower limit has none on the side on which the
-    value may continue."""
-    low, high = entry.bounds() or (None, None)
-    if not entry.is_cut:
-        return _bounds((low, high))
-    return _bounds((low, None) if entry.value >= 0. else (None, high))
-
-
 def _verdict(one):
     told = {"subject": one.subject, "words": str(one), "severity": one.kind}
     if one.entry is None:
         return {**told, "measure": None, "value": None, **_bounds(None),
                 "is_certain": one.is_certain()}
     return {**told, "measure": one.entry.name,
-            "value": _number(one.entry.value), **_bounds_of(one.entry),
+            "value": _number(one.entry.value), **_bounds(one.entry.sure_bounds()),
             "is_certain": one.is_certain()}
 
 
@@ -78,15 +72,18 @@ def _measure(entry):
     return {"name": entry.name, "title": entry.title,
             "value": _number(entry.value), "unit": entry.unit,
             "is_lower_limit": entry.is_cut,
-            **_bounds_of(entry), "coarser": _number(entry.coarser),
+            **_bounds(entry.sure_bounds()), "coarser": _number(entry.coarser),
             "tables": None if entry.tables is None else list(entry.tables),
             "thresholds": [{"value": limit, "meaning": meaning}
                            for limit, meaning in entry.thresholds],
-            "verdict": entry.meaning(), "severity":
+            "verdict": entry.meaning() if entry.has_verdict else "",
+            "severity":
             injury_table.severity(entry), "is_certain":
             None if entry.is_open else entry.is_certain(),
             "probabilities": [{"event": event, "value": value,
-                               **_bounds(bounds)}
+                               **_bounds(bounds and (
+                                   bounds[0],
+                                   None if entry.is_cut else bounds[1]))}
                               for event, value, bounds in entry.chances()],
             "source": entry.source, "is_own": entry.is_own,
             "limits": entry.limits}

@@ -30,8 +30,12 @@ class Verdict:
 
     def label(self):
         """A few words next to a mark on a picture."""
-        is_chance = self.entry is not None and self.entry.curve
-        return self.subject + (f" {self.entry.shown()}" if is_chance else "")
+        if self.entry is None or not self.entry.curve:
+            return self.subject
+        differ = self.subject == "eardrums" \
+            and len({entry.shown() for entry in self.entries}) > 1
+        return (f"{_side(self.entry)} eardrum" if differ else self.subject) \
+            + f" {self.entry.shown()}"
 
     def is_certain(self):
         """Whether the estimated error leaves all that the words say as it is;
@@ -186,7 +190,7 @@ def _ears(judged):
     tables = f", {worst.shown_tables()}" if worst.tables else ""
     words = [_worse_word(entry) for entry in ears]
     whose = "rupture of " if worst.is_own else ""
-    sides = [entry.name[len("ear_rupture_"):].split()[0] for entry in ears]
+    sides = [_side(entry) for entry in ears]
     if len(ears) > 1 and len(set(words)) > 1:
         parts = [with_detail(
             f"{whose}{side} eardrum{_singular(word)}",
@@ -200,6 +204,11 @@ def _ears(judged):
     return Verdict("eardrums", f"{whose}eardrums{words[0]}", kind,
                    told + (tables if told == figures[0] else
                            tables.replace(",", ";", 1)), worst, ears)
+
+
+def _side(ear):
+    """The side of an ear's measure: "left"."""
+    return ear.name[len("ear_rupture_"):].split()[0]
 
 
 def _worse_word(entry):

@@ -229,11 +229,11 @@ namespace
       for (const std::size_t k : {0, 1})
         definitions[k] += "; not known by it, as the wave is not simple: see "
                           "first_phase_fraction";
-    const std::size_t n_values = values.size() - (with_chest ? 0 : 2);
-    for (std::size_t k = 0; k < n_values; ++k)
+    for (std::size_t k = 0; k < values.size(); ++k)
     {
       const auto &[name, unit] = air_injury_quantities[k];
-      if (!std::isnan(values[k]))
+      if (!std::isnan(values[k]) &&
+          (with_chest || name != "chest_wall_velocity"))
         rows += row(name,
                     air.place,
                     values[k],
