@@ -9,6 +9,8 @@ import os
 import re
 import statistics
 
+import h5py
+import numpy as np
 import report_reader
 import second_waves
 from case import read_columns, read_json, read_rows, read_text, require
@@ -484,7 +486,8 @@ def check_headline(page, files):
                   "AEP-55|over the 50 % lethality load|strain that 95 % of", "…",
                   text)
     wanted += _free_air(files) + _afterburn(files) + _loads(files)
-    wanted += _energy(files) + _model_bias(files)
+    wanted += _energy(files) + _model_bias(files) + _wave_of_lungs(files)
+    wanted += _jet(files)
     if "of the median lethal one" in text:
         loads = [(name == "lung_exposure_air", value) for value, name
                  in rows.values() if name.startswith("lung_exposure")]
@@ -530,6 +533,9 @@ def check_tables(page, files):
         return 0
     results = values_of(files.summary["blast"], "results")
     rows = page.table("").rows
+    ears = [row for row in rows if "nearer ear" in row[0]]
+    _check_ears(ears, files)
+    rows = [row for row in rows if row not in ears]
     if files.trunk_is_far and told[0]["place"] == "probe 1":
         _check_trunk([row for row in rows if row[0].endswith(AT_TRUNK)], files)
         rows = [row for row in rows if not row[0].endswith(AT_TRUNK)]
@@ -580,6 +586,24 @@ def _check_ends(cell, name, key, files):
     for shown, end in zip(*(told.groups(), _ends_of_chance(
             name, size, error, least)) if told else ()):
         require(abs(float(shown) / 100. - end) <= 0.0051, f"{cell}: {end}")
+
+
+def _check_ears(rows, files):
+    """The likelier rupture by the load on the skin, and by the tables at the
+    distance of the nearer ear, which is farther than the nearest skin."""
+    tables = files.scene["tables"].get("ears") or {}
+    run = max((value for (name, place), value in files.skin.items()
+               if name == "eardrum_rupture" and place.endswith("ear")),
+              default=None)
+    is_told = run is not None and tables.get(
+        "distance", 0.) > 1.05 * files.scene["distance"]
+    require(len(rows) == is_told, f"{rows}: {tables}")
+    for _, shown, known in rows:
+        require_chance(shown, run, "run at the nearer ear")
+        for cell, place in zip(known.removesuffix(" before a wall)").split(" ("),
+                               ("in_the_open", "before_a_wall")):
+            require_chance(cell, tables[place]["eardrum_rupture"],
+                           f"{place} at the nearer ear")
 
 
 def _check_trunk(rows, files):
@@ -705,10 +729,63 @@ def _free_air(files):
              "lung_exposure": "the free-field load …",
              "impulse": "the impulse", "duration": "the duration",
              "arrival": "the arrival"}
-    return [(rf"{words[row['name']]} is ({report_reader.NUMBER} %) "
-             + ("below" if row["run"] < row["tables"] else "above"),
-             abs(row["run"] / row["tables"] - 1.))
-            for row in files.compared() if row["differs"] and row["name"] in words]
+    wanted, number = [], report_reader.NUMBER
+    biases = {row["item"]: row["estimate"] for row in files.scene.get("plan", [])}
+    for row in files.compared():
+        if not row["differs"] or row["name"] not in words:
+            continue
+        change = row["run"] / row["tables"] - 1.
+        side = "below" if change < 0. else "above"
+        wanted.append((rf"{words[row['name']]} is ({number} %) {side}",
+                       abs(change)))
+        bias = biases.get("model_bias_" + row["name"].partition("_")[0], "0")
+        bias = 0. if bias == "unknown" else float(bias)
+        if bias * change > 0. and abs(bias) >= 0.5 * abs(change):
+            wanted.append((rf"{words[row['name']]} is … {side} \(the known bias "
+                           rf"of the model is ({number} %)\)", abs(bias)))
+    return wanted
+
+
+def _wave_of_lungs(files):
+    """What the wave by which lungs are judged is not, and what no gauge faces."""
+    number, air = report_reader.NUMBER, files.air
+    wanted, probe = [], "probe 1"
+    if ("lung_exposure", probe) in files.skin:
+        fraction = air.get(("first_phase_fraction", probe), 1.)
+        if fraction <= 0.75:
+            wanted.append((rf"first wave has ({number} %) of the", fraction))
+        if ("lung_load_duration", probe) in air:
+            wanted += [(rf"is judged over ({number} ms)",
+                        air["lung_load_duration", probe]),
+                       (rf"first phase of ({number} ms) it is",
+                        values_of(files.summary["blast"],
+                                  "results")["probe_1_duration"]),
+                       (rf" instead of ({number})\.",
+                        files.skin["lung_exposure", probe])]
+    azimuth = files.scene.get("person", {}).get("charge_azimuth")
+    if azimuth is not None and ("chest_wall_velocity", "trunk") in files.skin:
+        off = abs((azimuth + 45.) % 90. - 45.)
+        if off >= 25.:
+            wanted.append((rf"The charge is ({number})° off the axes", off))
+    return wanted
+
+
+def _jet(files):
+    """Of a charge on the ground, where it is ahead of the tables at the body."""
+    expected = (files.scene["tables"]["answer"] or {}).get("arrival")
+    path = os.path.join(files.output, "blast", "loads.h5")
+    if files.scene["tables"]["burst"] != "hemispherical" or expected is None \
+            or not os.path.exists(path):
+        return []
+    with h5py.File(path, "r") as file:
+        arrival = file["arrival"][:]
+        first = int(np.nanargmin(np.where(arrival > 0., arrival, np.inf)))
+        height = float(file["centroid"][first][2])
+    number = report_reader.NUMBER
+    return [] if arrival[first] > 0.85 * expected else [
+        (rf"skin first after ({number} ms)", float(arrival[first])),
+        (rf"…, ({number} m) above the ground, where the tables", height),
+        (rf"tables have ({number} ms) for the nearest", expected)]
 
 
 def _model_bias(files):
