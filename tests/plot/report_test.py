@@ -44,7 +44,7 @@ from plot.readers.scene import Scene  # noqa: E402
 from plot.report import (accuracy, blast_sections,  # noqa: E402
                          body_sections, error_estimate, headline, injury_table,
                          injury_thresholds, least_phases, load_impulses,
-                         page as html_page,
+                         page as html_page, paper,
                          reflections, scene_sections, summary, verdict)
 
 
@@ -528,6 +528,16 @@ class ReportTest(unittest.TestCase):
                     "first phase of 0.472 ms it is 0.209 instead of 0.562")
         scene.air_injury = dict
         self.assertEqual(headline._long_load(scene, [load]), [])
+
+    def test_first_swing(self):
+        """Its extreme, not where it begins."""
+        time = np.linspace(0., 4e-3, 401)
+        counter = np.interp(time, [0., 1e-3, 1.2e-3, 1.4e-3, 1.6e-3, 1.8e-3],
+                            [0., 0., 35e3, 0., -50e3, 0.])
+        told = paper._sign(time, counter, 50e3, [(1.2e-3, 35e3)],
+                           [(1.6e-3, -50e3)])
+        self.assertIn("its first swing, 35\xa0kPa at 1.20\xa0ms, is positive",
+                      told.found)
 
     def test_charge_that_no_gauge_faces(self):
         """The mean of four gauges misses a side between their axes."""
@@ -1974,6 +1984,13 @@ class ReportTest(unittest.TestCase):
         wall.value = 4.
         self.assertEqual(verdict._lungs([wall, cut]).words,
                          "lung injury trace to slight injury")
+        # "None" by the numerics of one measure, while the other one excludes it.
+        wall.error, air.value, air.error = 0.25, 0.28, 0.1
+        self.assertIn("none to slight injury; the load on the lung is "
+                      "above the threshold of lung injury",
+                      str(verdict._lungs([wall, air])))
+        air.error = 0.5
+        self.assertNotIn("the load on the lung", str(verdict._lungs([wall, air])))
         # Without a gauge at chest and back the load alone decides, or nothing.
         self.assertEqual(verdict._lungs([skin]).words, "lung injury possible")
         mesh = judged("injury_chest_wall_velocity_mesh", 1.)

@@ -401,7 +401,8 @@ def _certainty(scene, judged):
                      "from the reflected load on the skin.")
     parts += _walls(scene, judged) + _grazed_sides(scene)
     parts += _products(scene) + _runs_ahead(scene)
-    parts += _not_simple(scene, judged) + _long_load(scene, judged) + _askew(scene, judged)
+    parts += _not_simple(scene, judged) + _long_load(scene, judged)
+    parts += _askew(scene, judged)
     parts += _tables(scene, judged) + _verdicts(scene, judged)
     parts += injury_table.cut_off(judged, "Scene/End time",
                                   scene.fact("end_time"))

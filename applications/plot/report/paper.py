@@ -437,7 +437,7 @@ def _delay(delay, near, far):
     return Statement(
         "there was about a 0.1 millisecond time delay of pressure onset "
         "between coup and contrecoup sites",
-        f"{page.milliseconds(delay, 2)} between the probes, which are "
+        f"{page.milliseconds(delay, 2)} between first rises at the probes, which are "
         f"{way:.2f} m apart", AGREES if close else DIFFERS,
         "" if close else "waves travel around the brain through the skull, "
         "in which sound is faster; in the brain of table 1 it needs "
@@ -445,8 +445,11 @@ def _delay(delay, near, far):
 
 
 def _sign(time, counter, size, tops, dips):
-    first = int(np.argmax(np.abs(counter) > 0.1 * size))
-    negative = counter[first] < 0.
+    begin = int(np.argmax(np.abs(counter) > 0.1 * size))
+    negative = counter[begin] < 0.
+    turned = np.flatnonzero((counter[begin:] < 0.) != negative)
+    swing = counter[begin:begin + turned[0]] if turned.size else counter[begin:]
+    first = begin + int(np.abs(swing).argmax())
     # A swing before that may be too weak to stand out.
     weak = not negative and dips and (not tops or dips[0][0] < tops[0][0])
     return Statement(

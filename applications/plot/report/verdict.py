@@ -275,6 +275,9 @@ def _lungs(judged):
     if entry.error is not None:
         bounds = _levels(entry, entry.bounds())
         detail = "" if bounds == here else f"by the numerics {bounds}"
+        if detail and bounds.startswith(NO_LEVEL) and load is not None \
+                and load.exceeded() and not unsure:
+            detail += f"; the load on the lung is {load.reached()}"
     words = SOUND if here == NO_LEVEL else f"lung injury {here}"
     if entry.is_cut and here != SEVERE:
         words += " or worse"
