@@ -301,7 +301,7 @@ def _rows(scene):
         rows = [row for row in rows
                 if not str(row.get("name")).startswith("lung_")] \
             + _trunk_rows(scene)
-    return rows + _ear_rows(scene)
+    return [*rows, *_ear_rows(scene)]
 
 
 def _ear_rows(scene):
