@@ -535,7 +535,7 @@ def _tables(scene, judged):
                "Trust neither before a run with finer cells "
                f"({_entry_of_cells(scene)})."))
     differing, unsure, chances, n_carried = [], [], [], 0
-    biases, n_biased = _known_biases(scene), 0
+    biases, biased = _known_biases(scene), []
     for row in _rows(scene):
         here, known = (files.as_number(row.get(key))
                        for key in ("run", "tables"))
@@ -559,9 +559,7 @@ def _tables(scene, judged):
             bias = biases.get(str(row.get("name")).removesuffix(
                 "_overpressure"), 0.)
             if bias * change > 0. and abs(bias) >= 0.5 * abs(change):
-                n_biased += 1
-                differing[-1] += " (the known bias of the model is " \
-                    f"{page.given(round(abs(100. * bias)), '%')})"
+                biased.append(words)
             if files.as_number(row.get("run_error")) is None:
                 unsure.append(f"the {words}")
     if differing:
@@ -574,13 +572,15 @@ def _tables(scene, judged):
                if len(unsure) == len(differing) else
                "is known of both errors (that of the run is unknown of "
                + page.joined(unsure) + ")")
-            + ("" if n_biased == len(differing)
+            + ("" if len(biased) == len(differing)
                or (scene.facts.get("tables") or {}).get("is_published", True)
                else " (the TNT equivalence is a ratio of energies, not "
                "measured)")
             + ("." if n_carried == 0 else "; loads and verdicts carry "
                + ("these differences." if n_carried > 1
                   else "this difference."))
+            + (f" Most of the difference in {page.joined(biased)} is the known "
+               "bias of the model." if biased else "")
             + (" What open sides of the domain send back may be the cause."
                if reflections.open_sides_disturb(scene) else ""))
     other = verdict.other_lungs(scene, judged)

@@ -729,21 +729,10 @@ def _free_air(files):
              "lung_exposure": "the free-field load …",
              "impulse": "the impulse", "duration": "the duration",
              "arrival": "the arrival"}
-    wanted, number = [], report_reader.NUMBER
-    biases = {row["item"]: row["estimate"] for row in files.scene.get("plan", [])}
-    for row in files.compared():
-        if not row["differs"] or row["name"] not in words:
-            continue
-        change = row["run"] / row["tables"] - 1.
-        side = "below" if change < 0. else "above"
-        wanted.append((rf"{words[row['name']]} is ({number} %) {side}",
-                       abs(change)))
-        bias = biases.get("model_bias_" + row["name"].partition("_")[0], "0")
-        bias = 0. if bias == "unknown" else float(bias)
-        if bias * change > 0. and abs(bias) >= 0.5 * abs(change):
-            wanted.append((rf"{words[row['name']]} is … {side} \(the known bias "
-                           rf"of the model is ({number} %)\)", abs(bias)))
-    return wanted
+    return [(rf"{words[row['name']]} is ({report_reader.NUMBER} %) "
+             + ("below" if row["run"] < row["tables"] else "above"),
+             abs(row["run"] / row["tables"] - 1.))
+            for row in files.compared() if row["differs"] and row["name"] in words]
 
 
 def _wave_of_lungs(files):
