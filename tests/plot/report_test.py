@@ -550,6 +550,19 @@ class ReportTest(unittest.TestCase):
             self.assertEqual(bool(told), bool(off), azimuth)
             self.assertIn(off, told)
         self.assertEqual(headline._askew(scene, []), [])
+        # Lungs that none of them finds injured are not known to be sound.
+        for azimuth in (0., 135.):
+            scene.facts["person"]["charge_azimuth"] = azimuth
+            for entry in judged:
+                if entry.name.startswith(("chest_wall", "lung_exposure")):
+                    entry.value = entry.error = 0.01
+            lungs = next(one for one in verdict.verdicts(scene, judged)
+                         if one.subject == "lungs")
+            self.assertIn("no lung injury", lungs.words)
+            self.assertEqual("do not face the charge" in str(lungs),
+                             azimuth > 0.)
+            self.assertEqual((lungs.kind, lungs.is_certain()),
+                             ("mid", None) if azimuth else ("good", True))
 
     def test_name_of_an_explosive(self):
         """As scene.json has it for texts, else for entries."""
@@ -2143,7 +2156,7 @@ class ReportTest(unittest.TestCase):
             with unittest.mock.patch.multiple(verdict, **{
                     name: lambda *_, one=one: one
                     for name, one in told.items()}):
-                lungs = verdict.verdicts(None, [])[1]
+                lungs = verdict.verdicts(types.SimpleNamespace(facts={}), [])[1]
             self.assertEqual((lungs.words, lungs.kind), (words, kind))
 
     def test_lungs_beside_the_tables_at_the_trunk(self):

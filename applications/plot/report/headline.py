@@ -40,7 +40,6 @@ CHANCES = tuple(LOADS)
 BOUNDS = "for probabilities the bounds that follow from those of their load"
 SIMPLE = 0.75  # least part of the impulse in the first wave of a simple one
 AHEAD = 0.85  # of the arrival by the tables
-ASKEW = 25.  # degrees from the nearest gauge's axis to the charge, told from here on
 LARGE_BIAS = 0.1  # of the model, which may decide a verdict
 LEVEL = 0.1  # m, difference in height that the wave does not notice
 MOST_LINES = 3  # of what could change the verdict, in the text version
@@ -485,15 +484,12 @@ def _long_load(scene, judged):
 
 def _askew(scene, judged):
     """That none of the gauges around the trunk faces the charge."""
-    azimuth = (scene.facts.get("person") or {}).get("charge_azimuth")
-    if azimuth is None \
-            or injury_table.find(judged, "chest_wall_mean") is None:
-        return []
-    off = abs((azimuth + 45.) % 90. - 45.)
-    return [] if off < ASKEW else [
-        f"The charge is {page.number(off, 2)}° off the axes of chest, back and "
-        "sides: none of the four gauges whose mean velocity of the chest wall "
-        "judges the lungs faces it, and the mean may be too low."]
+    off = injury_table.off_the_gauges(scene)
+    return [] if not off \
+        or injury_table.find(judged, "chest_wall_mean") is None else [
+            f"The charge is {page.number(off, 2)}° off the nearest of the axes of "
+            "chest, back and sides: none of the gauges by which lungs are judged "
+            "faces it, and the skin between them is loaded more."]
 
 
 def _walls(scene, judged):

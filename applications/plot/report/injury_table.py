@@ -31,6 +31,7 @@ AIR_NAMES = {"lung_exposure": "lung_exposure_air",
 # Beyond these, relative to the nearest skin, ears and trunk are not where the
 # probe is; loads of lungs rise steeply.
 FARTHER, FARTHER_TRUNK = 1.15, 1.05
+ASKEW = 25.  # degrees from the nearest gauge's axis to the charge
 # Told with the checks of the run.
 NO_INJURY = ("injury_pressure_roughness",)
 PRESSURES = ("injury_intracranial_pressure_peak",
@@ -226,6 +227,14 @@ def lungs_of_tables(scene, name):
     skin tells up to that before a wall; None each where they have none."""
     return scene.table_answer(name, "trunk") if lungs_by(scene) == "skin" \
         else 2 * scene.table_answer(name)[:1]
+
+
+def off_the_gauges(scene):
+    """How far the charge is off the nearest of the axes of chest, back and sides
+    [degrees], from ASKEW on, where none of their gauges faces it; else 0."""
+    azimuth = (scene.facts.get("person") or {}).get("charge_azimuth")
+    off = 0. if azimuth is None else abs((azimuth + 45.) % 90. - 45.)
+    return off if off >= ASKEW else 0.
 
 
 def why_by_the_skin(scene):

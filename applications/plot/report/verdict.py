@@ -27,6 +27,7 @@ class Verdict:
         self.subject, self.words, self.kind = subject, words, kind
         self.detail, self.entry = detail, entry
         self.entries = entries or (() if entry is None else (entry,))
+        self.is_complete = True  # else more is loaded than what was measured
 
     def label(self):
         """A few words next to a mark on a picture."""
@@ -41,6 +42,8 @@ class Verdict:
         """Whether the estimated error leaves all that the words say as it is;
         None if that is unknown."""
         known = [entry.is_certain() for entry in self.entries]
+        if not self.is_complete:
+            return None
         return False if False in known else \
             None if None in known or not known else True
 
@@ -59,6 +62,10 @@ def verdicts(scene, judged):
     """All that the scene allows, in the order of the sentence."""
     life = _life(scene, judged)
     lungs = _by_tables(scene, judged, _lungs(judged))
+    if lungs and lungs.words == SOUND and injury_table.off_the_gauges(scene):
+        lungs.kind, lungs.is_complete = "mid", False
+        lungs.detail = "; ".join(filter(None, (
+            lungs.detail, "at gauges that do not face the charge")))
     if life and lungs and life.words == UNJUDGED and lungs.words == SOUND:
         lungs.words, lungs.kind = SOUND + " so far", "none"
     return [found for found in (life, _ears(judged), lungs,

@@ -755,7 +755,7 @@ def _wave_of_lungs(files):
     if azimuth is not None and ("chest_wall_velocity", "trunk") in files.skin:
         off = abs((azimuth + 45.) % 90. - 45.)
         if off >= 25.:
-            wanted.append((rf"The charge is ({number})° off the axes", off))
+            wanted.append((rf"The charge is ({number})° off the nearest", off))
     return wanted
 
 
