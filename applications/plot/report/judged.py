@@ -119,8 +119,6 @@ class Judged:
             return f"{self.shown_coarser()} in the coarser run, too"
         if not self.value and self.of is None:
             return f"up to {self.shown(self.bounds()[1])}"
-        if self.is_cut and self.is_fraction:
-            return "by the numerics " + page.least_chance(self.bounds()[0])
         return self.shown_bounds() if self.is_fraction \
             else page.error(self.error) + (
                 "" if self.least_part == 1. else
