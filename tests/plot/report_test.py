@@ -92,6 +92,14 @@ def text_of(page):
     return " ".join(words.replace("\u00a0", " ").split())
 
 
+def scene_of_checks(checks):
+    """A scene of which only the checks of biomechanics are known, by name."""
+    return types.SimpleNamespace(
+        measures=dict, blast=types.SimpleNamespace(found=lambda *_: None),
+        biomechanics=types.SimpleNamespace(
+            found=lambda _, name: checks.get(name), parameter=lambda _: None))
+
+
 class ReportTest(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -1807,12 +1815,7 @@ class ReportTest(unittest.TestCase):
                                 ("mapped", (-98.71, 0., mapped_z))):
                 for axis, part in zip("xyz", parts):
                     checks[f"loads_{name}_impulse_{axis}"] = part
-            stage = types.SimpleNamespace(
-                found=lambda _, name: checks.get(name),
-                parameter=lambda _: None)
-            scene = types.SimpleNamespace(
-                biomechanics=stage, measures=dict,
-                blast=types.SimpleNamespace(found=lambda *_: None))
+            scene = scene_of_checks(checks)
             said = " ".join(accuracy._checks(scene)).replace("\xa0", " ")
             self.assertIn(told, said)
             self.assertEqual("At the end" in said, bool(told))
@@ -1822,12 +1825,7 @@ class ReportTest(unittest.TestCase):
         checks = {"loads_largest_recorded_impulse": 100.,
                   "loads_largest_mapped_impulse": 99.,
                   "loads_impulse_factor": 1., "loads_pushes_cancel": 1.}
-        stage = types.SimpleNamespace(
-            found=lambda _, name: checks.get(name),
-            parameter=lambda _: None)
-        scene = types.SimpleNamespace(
-            biomechanics=stage, measures=dict,
-            blast=types.SimpleNamespace(found=lambda *_: None))
+        scene = scene_of_checks(checks)
         self.assertIn(
             "100 N s recorded on the whole body at the end in magnitudes, as pushes from "
             "opposite sides cancel, 99.0 N s on the elements",

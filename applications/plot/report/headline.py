@@ -489,7 +489,7 @@ def _askew(scene, judged):
         or injury_table.find(judged, "chest_wall_mean") is None else [
             f"The charge is {page.number(off, 2)}° off the nearest of the axes of "
             "chest, back and sides: none of the gauges by which lungs are judged "
-            "faces it, and the skin between them is loaded more."]
+            "faces it, and the skin between them may be loaded more."]
 
 
 def _walls(scene, judged):

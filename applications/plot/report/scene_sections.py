@@ -410,8 +410,8 @@ def timeline(scene):
                 "continues at the end of the run" if event.is_cut else
                 f"ends at {page.milliseconds(event.end)}")
         elif event.lane == "tissue":
-            text = (f"{event.what}: the wave arrives, the absolute pressure "
-                    "within 2.5 ms is largest at "
+            text = (f"{event.what}: the wave arrives, the magnitude of the "
+                    "overpressure within 2.5 ms is largest at "
                     + page.milliseconds(event.mark))
         else:
             text = event.what
@@ -440,7 +440,7 @@ def _timeline_chart(scene, found):
                     "body, or sent by the charge itself. ")
     if "tissue" in lanes:
         caption += ("Lines: from the arrival in the tissue, which is slow in "
-                    "lungs, to the largest absolute pressure within 2.5 ms. ")
+                    "lungs, to the largest magnitude of the overpressure within 2.5 ms. ")
     rises = _rises(scene)
     if rises:
         caption += ("Arrivals are the middle of the first rise, which lasts "
