@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/ale/head/head_measures.h>
 #include <contrecoup/ale/mesh/mesh_description.h>
+#include <contrecoup/ale/record/head_measures.h>
 #include <contrecoup/base/parameters/parameter_tree.h>
 
 #include <deal.II/grid/grid_generator.h>
@@ -49,7 +49,7 @@ public:
     material.density = 1000.;
     material.bulk_modulus = bulk_modulus;
     material.instantaneous_shear = 1e6;
-    std::vector<Region> regions(2);
+    std::vector<Region> &regions = regions_;
     regions[0].name = "brain";
     regions[1].name = "skull";
     for (Region &region : regions)
@@ -70,9 +70,9 @@ public:
     for (const auto &[section, list] : entries)
       for (const auto &[entry, value] : list)
         apply_assignments({{{section}, entry, value, "test"}}, prm);
-    measures_.parse_parameters(prm);
+    measures_.parse_parameters(prm, impact_);
     measures_.find(regions, planes);
-    measures_.reinit(space_, step_, state_);
+    measures_.reinit(snapshot());
   }
 
   /// Follows the head at a time at which nodes are at @p place, with
@@ -93,7 +93,7 @@ public:
         state_.velocity[node_width * n + d] = speed[d];
       }
     }
-    measures_.follow(space_, step_, state_);
+    measures_.record(snapshot());
   }
 
   /// Stretches each layer along x by its own strain, at rest.
@@ -125,7 +125,20 @@ public:
     return measures_;
   }
 
+  AleSnapshot snapshot() const
+  {
+    return {{impact_, MPI_COMM_WORLD, state_.time},
+            space_,
+            step_,
+            state_,
+            regions_,
+            probe_cells_};
+  }
+
 private:
+  ImpactScene impact_;
+  std::vector<Region> regions_ = std::vector<Region>(2);
+  std::vector<std::uint32_t> probe_cells_;
   dealii::Triangulation<3> mesh_;
   HexSpace space_;
   LagrangeStep step_;
@@ -366,9 +379,13 @@ TEST(HeadMeasures, GoOnFromACheckpoint)
   };
   head.stretch(0., {{-5e-5, 1e-4, 0.2, 0.3}});
   head.follow(1e-3, at_rest, turn);
-  head.measures().save(folder, MPI_COMM_WORLD);
+  io::save_part(folder, "records", MPI_COMM_WORLD, [&](io::StateWriter &out) {
+    head.measures().save(out);
+  });
   MPI_Barrier(MPI_COMM_WORLD);
-  other.measures().restore(folder, MPI_COMM_WORLD);
+  io::restore_parts(folder, "records", [&](io::StateReader &in) {
+    other.measures().restore(other.snapshot(), in);
+  });
   MPI_Barrier(MPI_COMM_WORLD);
   EXPECT_EQ(other.found(), head.found());
   for (MovedHead *one : {&head, &other})

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/ale/lagrange/region_measures.h>
+#include <contrecoup/ale/record/region_history.h>
 #include <contrecoup/io/file/temporary_folder.h>
 
 #include "solid_bar.h"

@@ -23,7 +23,7 @@ namespace
                   const double time)
   {
     const auto x = to_modes(corners), v = to_modes(velocities);
-    const auto n = flow.samples();
+    const auto n = flow.samples;
     const auto place = [](const unsigned int i, const unsigned int n_points) {
       return (2. * i + 1.) / n_points - 1.;
     };
@@ -50,6 +50,19 @@ namespace
     return sums;
   }
 } // namespace
+
+
+FlowState radial_state(const RadialState &state,
+                       const dealii::Tensor<1, 3> &way)
+{
+  const double radius = way.norm();
+  FlowState result;
+  result.density = state.density;
+  result.pressure = state.pressure;
+  if (radius > 0.)
+    result.velocity = state.velocity / radius * way;
+  return result;
+}
 
 
 std::vector<NamedValue> flow_errors(const ExactFlow &flow,

@@ -9,6 +9,18 @@
 
 namespace contrecoup::ale
 {
+void add_peaks(io::StateReader &in, Peaks &peaks)
+{
+  Peaks saved;
+  in.take_list(saved);
+  if (peaks.size() < saved.size())
+    peaks.resize(saved.size(), {{0., 0.}});
+  for (std::size_t i = 0; i < saved.size(); ++i)
+    for (unsigned int k = 0; k < 2; ++k)
+      peaks[i][k] = std::max(peaks[i][k], saved[i][k]);
+}
+
+
 void SpherePeaks::declare_parameters(ParameterHandler &prm)
 {
   declare_double(

@@ -274,30 +274,36 @@ void HeadRecord::write(const std::string &folder,
 }
 
 
-void HeadRecord::save(const std::string &folder,
-                      const MPI_Comm communicator) const
+std::vector<NamedValue> HeadRecord::results(const MPI_Comm communicator,
+                                            const RunEnd &end) const
 {
-  if (!active())
-    return;
-  io::save_part(folder, "injury", communicator, [&](io::StateWriter &out) {
-    record_.save(out);
-    out.put(extremes_);
-  });
+  std::vector<NamedValue> values = coup(communicator, end);
+  for (const NamedValue &value : solid::values_of(measures(communicator, end)))
+    values.push_back(value);
+  return values;
 }
 
 
-void HeadRecord::restore(const std::string &folder, const MPI_Comm communicator)
+void HeadRecord::save_record(io::StateWriter &out) const
 {
   if (!active())
     return;
-  io::restore_parts(folder, "injury", [&](io::StateReader &in) {
-    record_.restore(in, communicator);
-    auto extremes = extremes_;
-    in.take(extremes);
-    // Each rank keeps the extremes of all.
-    for (unsigned int i = 0; i < extremes.size(); ++i)
-      if (std::abs(extremes[i].pressure) > std::abs(extremes_[i].pressure))
-        extremes_[i] = extremes[i];
-  });
+  record_.save(out);
+  out.put(extremes_);
+}
+
+
+void HeadRecord::restore_record(io::StateReader &in,
+                                const MPI_Comm communicator)
+{
+  if (!active())
+    return;
+  record_.restore(in, communicator);
+  auto extremes = extremes_;
+  in.take(extremes);
+  // Each rank keeps the extremes of all.
+  for (unsigned int i = 0; i < extremes.size(); ++i)
+    if (std::abs(extremes[i].pressure) > std::abs(extremes_[i].pressure))
+      extremes_[i] = extremes[i];
 }
 } // namespace contrecoup::ale

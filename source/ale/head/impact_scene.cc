@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/ale/exact/reference.h>
 #include <contrecoup/ale/head/impact_scene.h>
 #include <contrecoup/base/parameters/parameters.h>
 #include <contrecoup/base/parameters/selecting.h>
@@ -75,7 +74,6 @@ void ImpactScene::parse_parameters(ParameterHandler &prm)
     const Section section(prm, "Probes");
     probes = read_points<3>(prm, "Points");
   }
-  Reference::check_probes(prm, probes.size());
   const Section section(prm, "Time");
   end_time = read_double(prm, "End time");
 }

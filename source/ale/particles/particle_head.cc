@@ -11,7 +11,6 @@ namespace
 {
   namespace column = mpm::column;
   namespace mpi = dealii::Utilities::MPI;
-
 } // namespace
 
 
@@ -32,21 +31,20 @@ void ParticleHead::for_each_of_brain(Blocks &particles, const Work &work) const
 }
 
 
-void ParticleHead::reinit(const mpm::Particles &particles,
-                          const MPI_Comm communicator)
+void ParticleHead::reinit(const ParticleSnapshot &now)
 {
   std::vector<double> sums(2, 0.);
-  for_each_of_brain(particles,
+  for_each_of_brain(now.particles,
                     [&](const mpm::ParticleBlock &block, const std::size_t p) {
                       sums[0] += block[column::volume][p];
                       sums[1] += block[column::volume][p] * height_of(block, p);
                     });
-  mpi::sum(sums, communicator, sums);
+  mpi::sum(sums, now.communicator, sums);
   centre_ = sums[0] > 0. ? sums[1] / sums[0] : 0.;
 }
 
 
-void ParticleHead::resume(const mpm::Particles &particles)
+void ParticleHead::take_samples(const mpm::Particles &particles)
 {
   record_.samples.clear();
   for_each_of_brain(
@@ -61,17 +59,14 @@ void ParticleHead::resume(const mpm::Particles &particles)
 }
 
 
-void ParticleHead::follow(const std::vector<mpm::ParticleMaterial> &materials,
-                          const double time,
-                          const MPI_Comm communicator,
-                          mpm::Particles &particles)
+void ParticleHead::record(const ParticleSnapshot &now)
 {
   if (!is_due())
     return;
   if (brain_ != none)
-    follow_brain(materials[brain_], time, particles);
+    follow_brain(now.scene.materials()[brain_], now.time, now.particles);
   solid::MeanMotion moving, head;
-  particles.for_each_block(
+  now.particles.for_each_block(
     [&](const unsigned int m, const mpm::ParticleBlock &block) {
       for (std::size_t p = 0; is_of_head(m) && p < block.size(); ++p)
       {
@@ -82,7 +77,7 @@ void ParticleHead::follow(const std::vector<mpm::ParticleMaterial> &materials,
           moving.add(block[column::mass][p], place, velocity);
       }
     });
-  record_motion(time, communicator, moving, head);
+  record_motion(now.time, now.communicator, moving, head);
 }
 
 
@@ -90,7 +85,7 @@ void ParticleHead::follow_brain(const mpm::ParticleMaterial &brain,
                                 const double time,
                                 mpm::Particles &particles)
 {
-  resume(particles);
+  take_samples(particles);
   std::vector<double> pressures, averages, heights;
   auto sample = record_.samples.begin();
   for_each_of_brain(particles,

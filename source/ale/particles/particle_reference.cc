@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/ale/exact/reference.h>
+#include <contrecoup/ale/particles/particle_probes.h>
 #include <contrecoup/ale/particles/particle_reference.h>
+#include <contrecoup/ale/record/reference.h>
 #include <contrecoup/base/parameters/parameters.h>
 #include <contrecoup/base/parameters/selecting.h>
 #include <contrecoup/base/parameters/used_with.h>
@@ -139,15 +140,18 @@ void ParticleReference::parse_front(ParameterHandler &prm)
 }
 
 
-void ParticleReference::parse_parameters(ParameterHandler &prm)
+void ParticleReference::parse_parameters(ParameterHandler &prm,
+                                         const ImpactScene &impact)
 {
   const Section section(prm, "Reference");
   radius_ = read_double(prm, "Largest radius");
   const std::string name = prm.get("Kind");
+  Reference::check_probes(name, impact.probes.size());
   if (name == "fluid filled shell")
     throw InputError("Reference/Kind = " + name + " needs Method = ale");
   if (name == "front")
     parse_front(prm);
+  check_times(impact.end_time);
   if (name == "extents")
     extents_.parse_parameters(prm);
   if (name == "rigid sphere")
@@ -190,81 +194,67 @@ void ParticleReference::check_times(const double end_time) const
 }
 
 
-void ParticleReference::reinit(
-  const std::vector<mpm::ParticleMaterial> &materials,
-  const double half_spacing,
-  const std::vector<dealii::Point<3>> &probes)
+void ParticleReference::reinit(const ParticleSnapshot &now)
 {
+  const std::vector<mpm::ParticleMaterial> &materials = now.scene.materials();
   extents_.reinit(materials);
   if (displacements_)
-    displacements_->reinit(probes);
+    displacements_->reinit(now.impact.probes);
   if (!front_)
     return;
   front_->material =
     find_material(materials, "Reference/Front/Region", front_->region);
-  front_->half_spacing = half_spacing;
+  front_->half_spacing = now.scene.half_spacing();
 }
 
 
-std::vector<NamedValue>
-ParticleReference::history(const mpm::Particles &particles,
-                           const MPI_Comm communicator) const
+std::vector<NamedValue> ParticleReference::history(const ParticleSnapshot &now)
 {
   if (front_)
     return {{"front", "m", record_.position}};
   if (displacements_)
-    return displacements_->values(particles, communicator);
-  return extents_.values(particles, communicator);
+    return displacements_->values(now.particles, now.communicator);
+  return extents_.values(now.particles, now.communicator);
 }
 
 
-double ParticleReference::front_position(const mpm::Particles &particles,
-                                         const MPI_Comm communicator) const
+double ParticleReference::front_position(const ParticleSnapshot &now) const
 {
   double farthest = -std::numeric_limits<double>::max();
-  particles.for_each_block(
+  now.particles.for_each_block(
     [&](const unsigned int m, const mpm::ParticleBlock &block) {
       for (std::size_t p = 0; m == front_->material && p < block.size(); ++p)
         farthest =
           std::max(farthest, block[column::position + front_->direction][p]);
     });
-  return mpi::max(farthest, communicator) + front_->half_spacing;
+  return mpi::max(farthest, now.communicator) + front_->half_spacing;
 }
 
 
-void ParticleReference::follow(
-  const std::vector<mpm::ParticleMaterial> &materials,
-  const mpm::Particles &particles,
-  const double time,
-  const MPI_Comm communicator)
+void ParticleReference::record(const ParticleSnapshot &now)
 {
   if (front_)
-    follow_front(particles, time, communicator);
+    follow_front(now);
   if (!sphere_)
     return;
-  particles.for_each_block([&](const unsigned int m,
-                               const mpm::ParticleBlock &block) {
-    for (std::size_t p = 0; p < block.size(); ++p)
-      if (const auto probe = static_cast<std::size_t>(block[column::probe][p]);
-          probe > 0)
-      {
-        if (peaks_.size() < probe)
-          peaks_.resize(probe, {{0., 0.}});
-        sphere_->take(
-          dealii::Point<3>(mpm::vector_of(block, column::position, p)),
-          mpm::particle_values(materials[m], block, p).pressure,
-          time,
-          peaks_[probe - 1]);
-      }
-  });
+  peaks_.resize(now.impact.probes.size(), {{0., 0.}});
+  for_each_probe(
+    now.particles,
+    [&](
+      const unsigned int m, const auto &block, const auto p, const auto probe) {
+      sphere_->take(
+        dealii::Point<3>(mpm::vector_of(block, column::position, p)),
+        mpm::particle_values(now.scene.materials()[m], block, p).pressure,
+        now.time,
+        peaks_[probe]);
+    });
 }
 
 
-void ParticleReference::follow_front(const mpm::Particles &particles,
-                                     const double time,
-                                     const MPI_Comm communicator)
+void ParticleReference::follow_front(const ParticleSnapshot &now)
 {
-  const double position = front_position(particles, communicator);
+  const double time = now.time;
+  const double position = front_position(now);
   const bool is_first = record_.time == 0.;
   const auto &times = front_->times;
   for (; record_.n_known < times.size() && times[record_.n_known] <= time;
@@ -286,31 +276,30 @@ void ParticleReference::follow_front(const mpm::Particles &particles,
 
 
 std::vector<NamedValue>
-ParticleReference::errors(const std::vector<mpm::ParticleMaterial> &materials,
-                          const mpm::Particles &particles,
-                          const double time,
-                          const MPI_Comm communicator) const
+ParticleReference::errors(const ParticleSnapshot &now) const
 {
+  const double time = now.time;
   if (sphere_)
-    return SpherePeaks::errors(peaks_, communicator);
+    return SpherePeaks::errors(peaks_, now.communicator);
   if (front_ && record_.n_known > 0)
     return {{"front_mean", "m", record_.error / record_.n_known},
             {"front_largest", "m", record_.largest}};
   if (!extents_.empty())
-    return extents_.errors(particles, communicator);
+    return extents_.errors(now.particles, now.communicator);
   if (displacements_)
-    return displacements_->errors(particles, communicator);
+    return displacements_->errors(now.particles, now.communicator);
   if (!(time > 0.) || (!flow_ && !expressions_))
     return {};
   // Errors of displacement or density, velocity, pressure; volume.
   std::vector<double> sums(4, 0.);
-  particles.for_each_block([&](const unsigned int m,
-                               const mpm::ParticleBlock &block) {
+  now.particles.for_each_block([&](const unsigned int m,
+                                   const mpm::ParticleBlock &block) {
     for (std::size_t p = 0; p < block.size(); ++p)
     {
       const double volume = block[column::volume][p];
       const auto velocity = mpm::vector_of(block, column::velocity, p);
-      const auto values = mpm::particle_values(materials[m], block, p);
+      const auto values =
+        mpm::particle_values(now.scene.materials()[m], block, p);
       const dealii::Point<3> place(mpm::vector_of(block, column::position, p)),
         start(mpm::vector_of(block, column::initial_position, p));
       if ((flow_ ? place : start).norm() > radius_)
@@ -333,7 +322,7 @@ ParticleReference::errors(const std::vector<mpm::ParticleMaterial> &materials,
                                      exact.pressure[0].value(start, time));
     }
   });
-  mpi::sum(sums, communicator, sums);
+  mpi::sum(sums, now.communicator, sums);
   std::vector<NamedValue> result;
   if (flow_)
     result.push_back({"density_L1", "kg/m^3", sums[0] / sums[3]});

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/ale/exact/reference.h>
 #include <contrecoup/ale/head/head_answer.h>
 #include <contrecoup/ale/mesh/whole_body.h>
-#include <contrecoup/ale/particles/particle_measures.h>
 #include <contrecoup/ale/particles/particle_simulation.h>
 #include <contrecoup/base/parameters/parameters.h>
 #include <contrecoup/base/system/exceptions.h>
@@ -24,14 +22,6 @@ namespace
 {
   namespace column = mpm::column;
   namespace mpi = dealii::Utilities::MPI;
-
-  dealii::Point<3> place_of(const mpm::ParticleBlock &block,
-                            const std::size_t particle)
-  {
-    return {block[column::position][particle],
-            block[column::position + 1][particle],
-            block[column::position + 2][particle]};
-  }
 } // namespace
 
 
@@ -42,10 +32,10 @@ void ParticleSimulation::parse_parameters(ParameterHandler &prm)
     throw InputError("Mesh/Wedge axis: particles fill no wedge; use Method = "
                      "ale");
   scene_.parse_parameters(prm);
-  reference_.parse_parameters(prm);
-  head_.parse_parameters(prm);
+  recorders_.for_each([&](ParticleRecorder &recorder) {
+    recorder.parse_parameters(prm, impact_);
+  });
   refuse_entries_of_meshes(prm);
-  reference_.check_times(impact_.end_time);
   scene_.reinit(impact_);
 }
 
@@ -71,43 +61,22 @@ void ParticleSimulation::build_grid()
     return mpm::tile_weight(scene_.box(), scene_.source(), lower);
   });
   particles_ = mpm::Particles(scene_.materials().size());
-  extremes_.reinit(scene_.materials().size(), communicator_);
   step_ = std::make_unique<mpm::ParticleStep>(
     scene_.scheme(), scene_.materials(), scene_.field_contact());
   contact_ = mpm::WallContact(scene_.walls());
-  reference_.reinit(scene_.materials(), scene_.half_spacing(), impact_.probes);
 }
 
 
-void ParticleSimulation::find_probes()
+ParticleSnapshot ParticleSimulation::snapshot()
 {
-  for (unsigned int i = 0; i < impact_.probes.size(); ++i)
-  {
-    double nearest = std::numeric_limits<double>::max();
-    particles_.for_each_block([&](unsigned int, const mpm::ParticleBlock &one) {
-      for (std::size_t p = 0; p < one.size(); ++p)
-        if (one[column::probe][p] == 0.)
-          nearest =
-            std::min(nearest, place_of(one, p).distance(impact_.probes[i]));
-    });
-    const double all = mpi::min(nearest, communicator_);
-    // Among equally near particles, one of the lowest rank counts.
-    const unsigned int me = mpi::this_mpi_process(communicator_);
-    const bool is_near = nearest <= all * (1. + 1e-12);
-    if (mpi::min(is_near ? me : ~0u, communicator_) != me)
-      continue;
-    bool found = false;
-    particles_.for_each_block([&](unsigned int, mpm::ParticleBlock &one) {
-      for (std::size_t p = 0; p < one.size() && !found; ++p)
-        if (one[column::probe][p] == 0. &&
-            place_of(one, p).distance(impact_.probes[i]) <=
-              nearest * (1. + 1e-12))
-        {
-          one[column::probe][p] = i + 1;
-          found = true;
-        }
-    });
-  }
+  ParticleSnapshot now{{impact_, communicator_, time_}, scene_, particles_};
+  if (!contact_.empty())
+    now.contact = contact_now_;
+  now.end = recorders_.get<ParticleHead>().end_at(
+    time_,
+    recorders_.get<ContactHistory<ParticleSnapshot>>().contact(),
+    recorders_.get<ParticleRegions>().extremes());
+  return now;
 }
 
 
@@ -117,7 +86,6 @@ void ParticleSimulation::setup()
   build_grid();
   mpm::seed(scene_.materials(), scene_.source(), grid_, particles_);
   contact_.find_surface(scene_.source(), grid_, particles_);
-  find_probes();
   n_particles_ =
     mpi::sum(static_cast<std::uint64_t>(particles_.size()), communicator_);
   std::vector<std::uint64_t> counts(scene_.materials().size(), 0);
@@ -131,13 +99,10 @@ void ParticleSimulation::setup()
   const auto totals = step_->totals(grid_, particles_);
   initial_energy_ = totals.kinetic_energy + totals.internal_energy;
   largest_.any = std::max(totals.kinetic_energy, totals.stored_energy);
-  if (!impact_.planes.empty())
-    contact_record_.start(impact_.planes.planes().front(),
-                          totals.momentum,
-                          totals.mass,
-                          impact_.mesh.symmetry_planes());
-  head_.reinit(particles_, communicator_);
-  head_.follow(scene_.materials(), time_, communicator_, particles_);
+  recorders_.get<ContactHistory<ParticleSnapshot>>().start(
+    impact_, totals.momentum, totals.mass);
+  recorders_.for_each(&ParticleRecorder::reinit, snapshot());
+  recorders_.for_each(&ParticleRecorder::begin, snapshot());
 }
 
 
@@ -158,10 +123,12 @@ StepReport ParticleSimulation::advance(const double largest_step)
   time_ += report.step_size;
   report.retries = step_->n_retries();
   report.updates = static_cast<double>(n_particles_);
-  record_contact(report.step_size);
-  reference_.follow(scene_.materials(), particles_, time_, communicator_);
-  head_.follow(scene_.materials(), time_, communicator_, particles_);
-  extremes_.add(particle_extremes(scene_.materials(), particles_));
+  add_contact(report.step_size);
+  ParticleSnapshot now = snapshot();
+  now.step = report.step_size;
+  if (scene_.regions_part())
+    now.region_force = mpi::sum(step_->field_force(), communicator_);
+  recorders_.for_each(&ParticleRecorder::record, now);
   return report;
 }
 
@@ -186,26 +153,18 @@ void ParticleSimulation::set_body_force(mpm::ParticleBlock &block) const
 }
 
 
-void ParticleSimulation::record_contact(const double step)
+void ParticleSimulation::add_contact(const double step)
 {
-  if (!contact_.empty())
-  {
-    const mpm::WallMeasures &walls = contact_.measures();
-    std::vector<double> sums{
-      walls.force, walls.area, walls.friction_power, walls.sliding};
-    mpi::sum(sums, communicator_, sums);
-    contact_now_.force = sums[0];
-    contact_now_.area = sums[1];
-    contact_now_.friction_work += step * sums[2];
-    contact_now_.sliding_work += sums[3];
-    contact_record_.add(contact_now_, time_, step);
-  }
-  if (scene_.regions_part())
-  {
-    ContactMeasures measures;
-    measures.force = mpi::sum(step_->field_force(), communicator_);
-    region_contact_.add(measures, time_, step);
-  }
+  if (contact_.empty())
+    return;
+  const mpm::WallMeasures &walls = contact_.measures();
+  std::vector<double> sums{
+    walls.force, walls.area, walls.friction_power, walls.sliding};
+  mpi::sum(sums, communicator_, sums);
+  contact_now_.force = sums[0];
+  contact_now_.area = sums[1];
+  contact_now_.friction_work += step * sums[2];
+  contact_now_.sliding_work += sums[3];
 }
 
 
@@ -283,13 +242,10 @@ std::vector<NamedValue> ParticleSimulation::history()
                   {{"contact_force", "N", contact_now_.force},
                    {"contact_area", "m^2", contact_now_.area},
                    {"friction_work", "J", contact_now_.friction_work}});
-  for (NamedValue &value : reference_.history(particles_, communicator_))
-    values.push_back(std::move(value));
-  if (extremes_.is_empty())
-    extremes_.add(particle_extremes(scene_.materials(), particles_));
-  for (NamedValue &measure : particle_measures(
-         scene_.materials(), particles_, extremes_.take(), communicator_))
-    values.push_back(std::move(measure));
+  recorders_.for_each([&, now = snapshot()](ParticleRecorder &recorder) {
+    for (NamedValue &value : recorder.history(now))
+      values.push_back(std::move(value));
+  });
   set_to_whole(
     values, impact_.mesh.computed_fraction(), impact_.mesh.symmetry_planes());
   return values;
@@ -298,29 +254,7 @@ std::vector<NamedValue> ParticleSimulation::history()
 
 std::vector<NamedValue> ParticleSimulation::probes()
 {
-  std::vector<double> found(2 * impact_.probes.size(), 0.);
-  particles_.for_each_block(
-    [&](const unsigned int m, const mpm::ParticleBlock &block) {
-      for (std::size_t p = 0; p < block.size(); ++p)
-        if (block[column::probe][p] > 0.)
-        {
-          const auto probe =
-            static_cast<std::size_t>(block[column::probe][p]) - 1;
-          const auto value =
-            mpm::particle_values(scene_.materials()[m], block, p);
-          found[2 * probe] = value.pressure;
-          found[2 * probe + 1] = value.density;
-        }
-    });
-  mpi::sum(found, communicator_, found);
-  std::vector<NamedValue> values;
-  for (std::size_t i = 0; i < impact_.probes.size(); ++i)
-  {
-    const std::string name = "_" + std::to_string(i + 1);
-    values.push_back({"pressure" + name, "Pa", found[2 * i]});
-    values.push_back({"density" + name, "kg/m^3", found[2 * i + 1]});
-  }
-  return values;
+  return ParticleProbes::values(snapshot());
 }
 
 
@@ -334,31 +268,23 @@ ParticleSimulation::write_fields(const std::string &folder,
 }
 
 
+std::vector<NamedValue> ParticleSimulation::errors()
+{
+  return recorders_.collect(&ParticleRecorder::errors, snapshot());
+}
+
+
 std::vector<NamedValue> ParticleSimulation::results()
 {
-  std::vector<NamedValue> values;
-  if (!contact_.empty())
-    values = contact_record_.values(time_);
-  for (const NamedValue &value : region_contact_.values(time_))
-    if (value.name.find("area") == std::string::npos)
-      values.push_back({"region_" + value.name, value.unit, value.value});
-  set_to_whole(
-    values, impact_.mesh.computed_fraction(), impact_.mesh.symmetry_planes());
-  const RunEnd end = head_.end_at(time_, contact_record_, extremes_);
-  for (const NamedValue &value : head_.coup(communicator_, end))
-    values.push_back(value);
-  for (const NamedValue &value :
-       solid::values_of(head_.measures(communicator_, end)))
-    values.push_back(value);
-  return values;
+  return recorders_.collect(&ParticleRecorder::results, snapshot());
 }
 
 
 void ParticleSimulation::finish(const std::string &folder)
 {
-  head_.write(
-    folder, communicator_, head_.end_at(time_, contact_record_, extremes_));
-  const std::string pressures = head_.pressures_in_words(scene_.materials());
+  const auto &head = recorders_.get<ParticleHead>();
+  head.write(folder, communicator_, snapshot().end);
+  const std::string pressures = head.pressures_in_words(scene_.materials());
   for (const std::string &line :
        answer_lines(results(), !impact_.planes.empty(), pressures))
     show_line(line);

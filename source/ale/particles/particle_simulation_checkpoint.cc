@@ -28,9 +28,6 @@ namespace
     LargestEnergies largest;
     mpm::EnergyLedger ledger; ///< of the rank that wrote this file
     ContactMeasures contact;
-    ContactRecord record;
-    ContactRecord region_contact;
-    FrontRecord front;
   };
 
   /// Header of a block of particles.
@@ -56,15 +53,10 @@ void ParticleSimulation::save(const std::string &folder)
                             initial_energy_,
                             largest_,
                             step_->ledger(),
-                            contact_now_,
-                            contact_record_,
-                            region_contact_,
-                            reference_.record()};
+                            contact_now_};
     particles_.for_each_block(
       [&](unsigned int, const mpm::ParticleBlock &) { ++header.n_blocks; });
     out.put(header);
-    extremes_.save(out);
-    out.put_list(reference_.peaks());
     for (const auto &[tile, blocks] : particles_.tiles())
       for (unsigned int m = 0; m < blocks.size(); ++m)
       {
@@ -78,7 +70,10 @@ void ParticleSimulation::save(const std::string &folder)
         out.put_list(states);
       }
   });
-  head_.save(folder, communicator_);
+  io::save_part(folder, "records", communicator_, [&](io::StateWriter &out) {
+    recorders_.for_each(
+      [&](const ParticleRecorder &recorder) { recorder.save(out); });
+  });
 }
 
 
@@ -89,16 +84,6 @@ void ParticleSimulation::restore_part(io::StateReader &in)
   if (header.n_materials != scene_.materials().size() ||
       header.cell_size != scene_.cell_size())
     in.refuse();
-  extremes_.restore(in);
-  Peaks peaks;
-  in.take_list(peaks);
-  // Each file has the peaks of all ranks; keep the largest.
-  if (reference_.peaks().size() < peaks.size())
-    reference_.peaks().resize(peaks.size(), {{0., 0.}});
-  for (std::size_t i = 0; i < peaks.size(); ++i)
-    for (unsigned int k = 0; k < 2; ++k)
-      reference_.peaks()[i][k] =
-        std::max(reference_.peaks()[i][k], peaks[i][k]);
   n_particles_ = header.n_particles;
   n_steps_ = header.n_steps;
   n_split_ = header.n_split;
@@ -107,9 +92,6 @@ void ParticleSimulation::restore_part(io::StateReader &in)
   initial_energy_ = header.initial_energy;
   largest_ = header.largest;
   contact_now_ = header.contact;
-  contact_record_ = header.record;
-  region_contact_ = header.region_contact;
-  reference_.record() = header.front;
   // Only sums over ranks count, so the first rank takes all.
   if (mpi::this_mpi_process(communicator_) == 0)
   {
@@ -151,8 +133,11 @@ void ParticleSimulation::restore(const std::string &folder)
                      std::to_string(n_particles_) + " are there");
   particles_.sort(grid_);
   step_->resume(grid_, particles_);
-  head_.restore(folder, communicator_);
-  head_.reinit(particles_, communicator_);
-  head_.resume(particles_);
+  const ParticleSnapshot now = snapshot();
+  recorders_.for_each(&ParticleRecorder::reinit, now);
+  io::restore_parts(folder, "records", [&](io::StateReader &in) {
+    recorders_.for_each(
+      [&](ParticleRecorder &recorder) { recorder.restore(now, in); });
+  });
 }
 } // namespace contrecoup::ale

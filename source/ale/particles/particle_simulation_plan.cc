@@ -33,8 +33,8 @@ namespace
 void ParticleSimulation::check_scene()
 {
   const std::vector<Region> regions = impact_.regions.regions();
-  head_.find(regions, impact_.planes.planes());
-  reference_.reinit(scene_.materials(), scene_.half_spacing(), impact_.probes);
+  recorders_.get<ParticleHead>().find(regions, impact_.planes.planes());
+  recorders_.get<ParticleReference>().reinit(snapshot());
   impact_.regions.require_some(scene_.count_matter(), "particle");
   SceneCheck check(impact_);
   scene_.sample_matter(check_samples,
@@ -74,7 +74,7 @@ CostEstimate ParticleSimulation::estimate()
   speed += impact_.regions.fastest_velocity().norm();
   cost.steps = std::ceil(impact_.end_time * speed /
                          (impact_.courant_number * scene_.cell_size()));
-  head_.check_interval(cost.steps);
+  recorders_.get<ParticleHead>().check_interval(cost.steps);
   cost.seconds = cost.steps * cost.cells / typical_speed /
                  dealii::Utilities::MPI::n_mpi_processes(communicator_);
   return cost;
@@ -83,7 +83,7 @@ CostEstimate ParticleSimulation::estimate()
 
 ImpactPlan ParticleSimulation::impact_plan() const
 {
-  ImpactPlan plan = impact_.plan(head_);
+  ImpactPlan plan = impact_.plan(recorders_.get<ParticleHead>());
   plan.cell_size = scene_.cell_size();
   return plan;
 }
@@ -132,15 +132,15 @@ std::vector<Assumption> ParticleSimulation::plan()
 std::vector<Assumption> ParticleSimulation::audit()
 {
   const double kinetic = initial_energy_;
-  std::vector<Assumption> items =
-    impact_plan().audit({extremes_.least_pressures(),
-                         contact_record_,
-                         contact_now_.friction_work,
-                         contact_now_.sliding_work,
-                         kinetic,
-                         0.,
-                         largest_.any,
-                         time()});
+  std::vector<Assumption> items = impact_plan().audit(
+    {recorders_.get<ParticleRegions>().extremes().least_pressures(),
+     recorders_.get<ContactHistory<ParticleSnapshot>>().contact(),
+     contact_now_.friction_work,
+     contact_now_.sliding_work,
+     kinetic,
+     0.,
+     largest_.any,
+     time()});
   if (impact_.mesh.head() != nullptr)
   {
     items.push_back(layer_resolution());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/ale/particles/particle_probes.h>
 #include <contrecoup/ale/particles/probe_displacements.h>
 #include <contrecoup/base/parameters/parameters.h>
 #include <contrecoup/base/system/exceptions.h>
@@ -63,20 +64,16 @@ ProbeDisplacements::values(const mpm::Particles &particles,
                            const MPI_Comm communicator) const
 {
   std::vector<double> found(points_.size(), 0.);
-  particles.for_each_block([&](unsigned int, const mpm::ParticleBlock &block) {
-    for (std::size_t p = 0; p < block.size(); ++p)
-      if (block[column::probe][p] > 0.)
-      {
-        const auto probe =
-          static_cast<std::size_t>(block[column::probe][p]) - 1;
-        double way = block[column::position + direction_][p] -
-                     block[column::initial_position + direction_][p];
-        for (unsigned int d = 0; d < 3; ++d)
-          way += block[column::gradient + 3 * direction_ + d][p] *
-                 (points_[probe][d] - block[column::initial_position + d][p]);
-        found[probe] = way;
-      }
-  });
+  for_each_probe(
+    particles,
+    [&](unsigned int, const auto &block, const auto p, const auto probe) {
+      double way = block[column::position + direction_][p] -
+                   block[column::initial_position + direction_][p];
+      for (unsigned int d = 0; d < 3; ++d)
+        way += block[column::gradient + 3 * direction_ + d][p] *
+               (points_[probe][d] - block[column::initial_position + d][p]);
+      found[probe] = way;
+    });
   dealii::Utilities::MPI::sum(found, communicator, found);
   std::vector<NamedValue> result;
   for (std::size_t i = 0; i < found.size(); ++i)

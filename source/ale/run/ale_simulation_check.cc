@@ -57,7 +57,7 @@ CostEstimate AleSimulation::estimate()
   cost.steps = std::ceil(impact_.end_time * speed /
                          (impact_.courant_number * impact_.mesh.cell_size()));
   rezone_.check_interval(impact_.end_time / cost.steps);
-  head_.check_interval(cost.steps);
+  recorders_.get<HeadMeasures>().check_interval(cost.steps);
   cost.seconds = cost.steps * cost.cells / typical_speed /
                  dealii::Utilities::MPI::n_mpi_processes(communicator_);
   return cost;
@@ -68,7 +68,7 @@ void AleSimulation::check_scene(const dealii::Triangulation<3> &mesh)
 {
   const std::vector<Region> regions = impact_.regions.regions();
   rezone_.check_regions(regions);
-  head_.find(regions, impact_.planes.planes());
+  recorders_.get<HeadMeasures>().find(regions, impact_.planes.planes());
   SceneCheck check(impact_);
   const auto &walls = impact_.mesh.walls();
   const bool is_wedge = impact_.mesh.wedge().active();

@@ -18,15 +18,12 @@ namespace
     std::uint64_t n_rezones;
     std::uint64_t n_skipped_rezones;
     double time;
-    double initial_energy;
+    KnownEnergies energies;
     double external_work;
     double slip_work;
-    double energy_scale;
     double last_step;
     std::uint64_t first_iterations;
     ContactMeasures contact;
-    ContactRecord record;
-    double initial_kinetic_energy;
   };
 
   struct NodeRecord
@@ -50,25 +47,19 @@ void AleSimulation::save(const std::string &folder)
 {
   const double work = lagrange_.external_work();
   const double slip_work = lagrange_.slip_work();
-  const ContactMeasures contact = lagrange_.contact();
   const SmoothingMemory memory = rezone_.memory();
   io::save_part(folder, "ale", communicator_, [&](io::StateWriter &out) {
-    out.put(CheckpointHeader{n_nodes_,
-                             n_cells_,
+    out.put(CheckpointHeader{space_.n_global_nodes(),
+                             space_.n_global_cells(),
                              rezone_.n_rezones(),
                              rezone_.n_skipped(),
                              state_.time,
-                             initial_energy_,
+                             energies_,
                              work,
                              slip_work,
-                             energy_scale_,
                              last_step_,
                              memory.first_iterations,
-                             contact,
-                             contact_,
-                             initial_kinetic_energy_});
-    extremes_.save(out);
-    out.put_list(reference_.peaks());
+                             contact_.value_or(ContactMeasures())});
     out.put_records(space_.n_locally_owned_nodes(), [&](const std::size_t n) {
       NodeRecord record{space_.node_number(n), {}, {}, {}};
       for (unsigned int d = 0; d < node_width; ++d)
@@ -94,26 +85,15 @@ void AleSimulation::save(const std::string &folder)
     });
   });
   lagrange_.coupling().save(folder);
-  head_.save(folder, communicator_);
+  io::save_part(folder, "records", communicator_, [&](io::StateWriter &out) {
+    recorders_.for_each(
+      [&](const AleRecorder &recorder) { recorder.save(out); });
+  });
 }
 
 
-void AleSimulation::restore_peaks(io::StateReader &in)
+void AleSimulation::restore_matter(const std::string &folder)
 {
-  Peaks saved;
-  in.take_list(saved);
-  auto &peaks = reference_.peaks();
-  peaks.resize(saved.size(), {{0., 0.}});
-  // Only the rank that recorded the probe has nonzero peaks.
-  for (std::size_t i = 0; i < saved.size(); ++i)
-    for (unsigned int k = 0; k < 2; ++k)
-      peaks[i][k] = std::max(peaks[i][k], saved[i][k]);
-}
-
-
-void AleSimulation::restore(const std::string &folder)
-{
-  build();
   const io::NumberIndex nodes =
                           io::index_by_number(space_.n_nodes(),
                                               [&](const std::size_t n) {
@@ -127,10 +107,9 @@ void AleSimulation::restore(const std::string &folder)
   SmoothingMemory memory(space_);
   io::restore_parts(folder, "ale", [&](io::StateReader &in) {
     in.take(header);
-    if (header.n_global_nodes != n_nodes_ || header.n_global_cells != n_cells_)
+    if (header.n_global_nodes != space_.n_global_nodes() ||
+        header.n_global_cells != space_.n_global_cells())
       in.refuse();
-    extremes_.restore(in);
-    restore_peaks(in);
     in.take_records<NodeRecord>(
       nodes, [&](const std::size_t n, const NodeRecord &record) {
         for (unsigned int d = 0; d < node_width; ++d)
@@ -156,19 +135,29 @@ void AleSimulation::restore(const std::string &folder)
       });
   });
   state_.time = header.time;
-  initial_energy_ = header.initial_energy;
+  energies_ = header.energies;
   lagrange_.set_external_work(header.external_work);
   lagrange_.set_slip_work(header.slip_work);
   lagrange_.set_contact(header.contact);
-  contact_ = header.record;
-  initial_kinetic_energy_ = header.initial_kinetic_energy;
-  energy_scale_ = header.energy_scale;
+  if (contact_)
+    contact_ = header.contact;
   last_step_ = header.last_step;
   memory.first_iterations = static_cast<unsigned int>(header.first_iterations);
   const auto done = static_cast<unsigned int>(header.n_rezones),
              n_skipped = static_cast<unsigned int>(header.n_skipped_rezones);
   rezone_.resume(state_, done, n_skipped, memory);
   lagrange_.coupling().restore(folder);
-  head_.restore(folder, communicator_);
+}
+
+
+void AleSimulation::restore(const std::string &folder)
+{
+  build();
+  restore_matter(folder);
+  const AleSnapshot now = snapshot();
+  io::restore_parts(folder, "records", [&](io::StateReader &in) {
+    recorders_.for_each(
+      [&](AleRecorder &recorder) { recorder.restore(now, in); });
+  });
 }
 } // namespace contrecoup::ale

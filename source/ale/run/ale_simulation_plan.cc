@@ -11,7 +11,7 @@ namespace contrecoup::ale
 {
 ImpactPlan AleSimulation::impact_plan() const
 {
-  ImpactPlan plan = impact_.plan(head_);
+  ImpactPlan plan = impact_.plan(recorders_.get<HeadMeasures>());
   plan.cell_size = impact_.mesh.cell_size();
   if (const FileMesh *const file = impact_.mesh.file())
   {
@@ -65,14 +65,15 @@ std::vector<Assumption> AleSimulation::plan()
 
 std::vector<Assumption> AleSimulation::audit()
 {
-  const ContactMeasures contact = lagrange_.contact();
-  return impact_plan().audit({extremes_.least_pressures(),
-                              contact_,
-                              contact.friction_work,
-                              contact.sliding_work,
-                              initial_kinetic_energy_,
-                              lagrange_.coupling().record().work,
-                              energy_scale_,
-                              time()});
+  const ContactMeasures contact = contact_.value_or(ContactMeasures());
+  return impact_plan().audit(
+    {recorders_.get<RegionHistory>().extremes().least_pressures(),
+     recorders_.get<ContactHistory<AleSnapshot>>().contact(),
+     contact.friction_work,
+     contact.sliding_work,
+     energies_.initial_kinetic,
+     lagrange_.coupling().record().work,
+     energies_.largest,
+     time()});
 }
 } // namespace contrecoup::ale

@@ -137,8 +137,8 @@ namespace phantom
       for (const double side : {-1., 1.})
         hollows.push_back(std::make_shared<Sphere>(
           frame.at_head(0.101, side * 0.033, -0.025), 0.018 * s));
-      const ShapePointer face =
-        std::make_shared<Difference>(head, std::make_shared<Union>(hollows));
+      const ShapePointer face = std::make_shared<Intersection>(
+        head, std::make_shared<Union>(hollows), Intersection::With::outside);
       const double wide = frame.height * frame.girth;
       std::vector<Sweep::Node> neck{
         {frame.at(-0.035, 0., 1.43), 0.068 * wide},

@@ -80,48 +80,30 @@ double Union::reach(const Tensor<1, 3> &direction) const
 }
 
 
-Difference::Difference(ShapePointer shape, ShapePointer removed)
-  : shape_(std::move(shape))
-  , removed_(std::move(removed))
-{}
-
-double Difference::value(const Point<3> &point) const
-{
-  return std::max(shape_->value(point), -removed_->value(point));
-}
-
-Tensor<1, 3> Difference::gradient(const Point<3> &point) const
-{
-  if (shape_->value(point) > -removed_->value(point))
-    return shape_->gradient(point);
-  return -removed_->gradient(point);
-}
-
-BoundingBox<3> Difference::bounding_box() const
-{
-  return shape_->bounding_box();
-}
-
-
-Intersection::Intersection(ShapePointer first, ShapePointer second)
+Intersection::Intersection(ShapePointer first,
+                           ShapePointer second,
+                           const With side)
   : first_(std::move(first))
   , second_(std::move(second))
+  , sign_(side == With::inside ? 1. : -1.)
 {}
 
 double Intersection::value(const Point<3> &point) const
 {
-  return std::max(first_->value(point), second_->value(point));
+  return std::max(first_->value(point), sign_ * second_->value(point));
 }
 
 Tensor<1, 3> Intersection::gradient(const Point<3> &point) const
 {
-  return first_->value(point) > second_->value(point)
+  return first_->value(point) > sign_ * second_->value(point)
            ? first_->gradient(point)
-           : second_->gradient(point);
+           : sign_ * second_->gradient(point);
 }
 
 BoundingBox<3> Intersection::bounding_box() const
 {
+  if (sign_ < 0.)
+    return first_->bounding_box();
   const auto a = first_->bounding_box().get_boundary_points();
   const auto b = second_->bounding_box().get_boundary_points();
   Point<3> lower;

@@ -5,6 +5,7 @@
 
 #include <contrecoup/ale/lagrange/lagrange_step.h>
 #include <contrecoup/base/run/simulation.h>
+#include <contrecoup/io/file/state_file.h>
 #include <contrecoup/numerics/exact/rigid_sphere_solution.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -15,6 +16,10 @@ namespace contrecoup::ale
 {
 /// Peak pressures so far [Pa] by probe: of the run, and exact.
 using Peaks = std::vector<std::array<double, 2>>;
+
+/// Adds the peaks that a rank has saved: those of probes of other ranks are
+/// zero.
+void add_peaks(io::StateReader &in, Peaks &peaks);
 
 /// Peak pressures at probes in a liquid that fills a rigid sphere, decelerated
 /// along y, compared with those of the exact solution.

@@ -97,10 +97,14 @@ public:
              const MPI_Comm communicator,
              const RunEnd &end) const;
 
-  /// Saves this rank's record to @p folder, or restores it after the regions
-  /// were found. @throws InputError for a checkpoint of another scene
-  void save(const std::string &folder, const MPI_Comm communicator) const;
-  void restore(const std::string &folder, const MPI_Comm communicator);
+  /// coup() and measures(), for "results" in summary.json. Collective.
+  std::vector<NamedValue> results(const MPI_Comm communicator,
+                                  const RunEnd &end) const;
+
+  /// Saves this rank's record, or adds what a rank has saved after the regions
+  /// were found. @throws InputError for a record of another scene
+  void save_record(io::StateWriter &out) const;
+  void restore_record(io::StateReader &in, const MPI_Comm communicator);
 
 protected:
   static constexpr unsigned int none = -1;

@@ -70,7 +70,7 @@ public:
   /// Whether the last row has the least pressure of a region, a tension.
   bool is_least_last(const std::size_t region) const
   {
-    return is_last_[region] != 0;
+    return region < is_last_.size() && is_last_[region] != 0;
   }
 
   /// Saves this rank's record.

@@ -176,6 +176,16 @@ public:
     return *cells_partitioner_;
   }
 
+  /// Cells and nodes of all ranks; 0 before reinit().
+  std::uint64_t n_global_cells() const
+  {
+    return cells_partitioner_ ? cells_partitioner_->size() : 0;
+  }
+  std::uint64_t n_global_nodes() const
+  {
+    return nodes_ ? nodes_->size() : 0;
+  }
+
 private:
   void distribute(const dealii::Triangulation<3> &mesh, MPI_Comm communicator);
   void number_nodes();

@@ -3,9 +3,8 @@
 
 #pragma once
 
-#include <contrecoup/ale/head/head_record.h>
-#include <contrecoup/mpm/particle_material.h>
-#include <contrecoup/mpm/particles.h>
+#include <contrecoup/ale/particles/particle_recorder.h>
+#include <contrecoup/ale/record/head_recorder.h>
 
 #include <vector>
 
@@ -16,7 +15,7 @@ namespace contrecoup::ale
  * of the brain move with it, in column::peak_strain, peak_pressure and
  * lowest_pressure.
  */
-class ParticleHead : public HeadRecord
+class ParticleHead : public HeadRecorder<ParticleSnapshot>
 {
 public:
   ParticleHead()
@@ -25,8 +24,8 @@ public:
   }
 
   /// Finds the centre of the brain at the start, from initial positions, after
-  /// find(). Collective.
-  void reinit(const mpm::Particles &particles, const MPI_Comm communicator);
+  /// find().
+  void reinit(const ParticleSnapshot &now) override;
 
   /// As the function of HeadRecord.
   std::string
@@ -36,16 +35,16 @@ public:
                                           materials[brain_].is_smoothed);
   }
 
-  /// Takes the peaks from the particles, after restore().
-  void resume(const mpm::Particles &particles);
-
-  /// Call before the first step and after each step. Collective.
-  void follow(const std::vector<mpm::ParticleMaterial> &materials,
-              const double time,
-              const MPI_Comm communicator,
-              mpm::Particles &particles);
+  void record(const ParticleSnapshot &now) override;
+  void restore(const ParticleSnapshot &now, io::StateReader &in) override
+  {
+    restore_record(in, now.communicator);
+    take_samples(now.particles);
+  }
 
 private:
+  /// Takes volumes and peaks from the particles.
+  void take_samples(const mpm::Particles &particles);
   /// Calls @p work(block, particle) for the particles of the brain.
   template <typename Blocks, typename Work>
   void for_each_of_brain(Blocks &particles, const Work &work) const;

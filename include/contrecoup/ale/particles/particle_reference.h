@@ -6,6 +6,7 @@
 #include <contrecoup/ale/exact/exact_flow.h>
 #include <contrecoup/ale/exact/sphere_peaks.h>
 #include <contrecoup/ale/particles/particle_extents.h>
+#include <contrecoup/ale/particles/particle_recorder.h>
 #include <contrecoup/ale/particles/probe_displacements.h>
 #include <contrecoup/base/parameters/expression.h>
 #include <contrecoup/base/run/simulation.h>
@@ -38,34 +39,26 @@ struct FrontRecord
  * Declares "Expressions", "Front", "Extent *" and "Probe displacements";
  * ale::Reference declares the flows.
  */
-class ParticleReference
+class ParticleReference : public ParticleRecorder
 {
 public:
   static void declare_parameters(dealii::ParameterHandler &prm);
 
-  /// @throws InputError for a solution that does not apply to particles
-  void parse_parameters(dealii::ParameterHandler &prm);
-
-  /// Warns of known times after the end time [s].
-  void check_times(const double end_time) const;
+  /// Warns of known times after the end time. @throws InputError for a solution
+  /// that does not apply to particles, or that has no probes
+  void parse_parameters(dealii::ParameterHandler &prm,
+                        const ImpactScene &impact) override;
 
   /// Finds regions by name. @throws InputError for unknown names, or when the
   /// number of known displacements is not that of probes
-  void reinit(const std::vector<mpm::ParticleMaterial> &materials,
-              const double half_spacing,
-              const std::vector<dealii::Point<3>> &probes);
+  void reinit(const ParticleSnapshot &now) override;
 
-  /// Compared quantities for history.csv: position of the front, extents,
-  /// displacements of probes. Collective.
-  std::vector<NamedValue> history(const mpm::Particles &particles,
-                                  const MPI_Comm communicator) const;
+  /// Compared quantities: position of the front, extents, displacements of
+  /// probes.
+  std::vector<NamedValue> history(const ParticleSnapshot &now) override;
 
-  /// Updates the front, and peak pressures of probes in a rigid sphere, after
-  /// a step that ended at @p time [s]. Collective.
-  void follow(const std::vector<mpm::ParticleMaterial> &materials,
-              const mpm::Particles &particles,
-              const double time,
-              const MPI_Comm communicator);
+  /// Updates the front, and peak pressures of probes in a rigid sphere.
+  void record(const ParticleSnapshot &now) override;
 
   /**
    * Errors. Expressions: mean absolute errors, weighted with undeformed
@@ -73,24 +66,18 @@ public:
    * flows: the same of density, velocity and pressure at present positions;
    * front: mean and largest absolute error of its position at known times that
    * have passed; extents: relative errors; probes: errors of displacement.
-   * Collective.
    */
-  std::vector<NamedValue>
-  errors(const std::vector<mpm::ParticleMaterial> &materials,
-         const mpm::Particles &particles,
-         const double time,
-         const MPI_Comm communicator) const;
+  std::vector<NamedValue> errors(const ParticleSnapshot &now) const override;
 
-  /// Peaks that this rank has recorded, by probe; for checkpoints.
-  Peaks &peaks()
+  void save(io::StateWriter &out) const override
   {
-    return peaks_;
+    out.put(record_);
+    out.put_list(peaks_);
   }
-
-  /// The record of the front, for checkpoints.
-  FrontRecord &record()
+  void restore(const ParticleSnapshot & /*now*/, io::StateReader &in) override
   {
-    return record_;
+    in.take(record_);
+    add_peaks(in, peaks_);
   }
 
 private:
@@ -109,15 +96,13 @@ private:
     std::vector<Expression> displacement, velocity, pressure;
   };
 
-  void follow_front(const mpm::Particles &particles,
-                    const double time,
-                    const MPI_Comm communicator);
-  double front_position(const mpm::Particles &particles,
-                        const MPI_Comm communicator) const;
+  void follow_front(const ParticleSnapshot &now);
+  double front_position(const ParticleSnapshot &now) const;
   void parse_front(dealii::ParameterHandler &prm);
+  void check_times(const double end_time) const;
 
   double radius_ = 0.; ///< particles are compared within this radius [m]
-  std::unique_ptr<ExactFlow> flow_;
+  std::optional<ExactFlow> flow_;
   std::optional<Expressions> expressions_;
   std::optional<Front> front_;
   ParticleExtents extents_;

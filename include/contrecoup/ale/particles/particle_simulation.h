@@ -3,13 +3,12 @@
 
 #pragma once
 
-#include <contrecoup/ale/head/impact_scene.h>
-#include <contrecoup/ale/lagrange/contact_record.h>
-#include <contrecoup/ale/lagrange/region_extremes.h>
 #include <contrecoup/ale/particles/particle_head.h>
+#include <contrecoup/ale/particles/particle_probes.h>
 #include <contrecoup/ale/particles/particle_reference.h>
-#include <contrecoup/ale/particles/particle_scene.h>
-#include <contrecoup/base/run/simulation.h>
+#include <contrecoup/ale/particles/particle_regions.h>
+#include <contrecoup/ale/record/contact_history.h>
+#include <contrecoup/base/run/recorder_set.h>
 #include <contrecoup/mpm/particle_step.h>
 
 #include <memory>
@@ -17,6 +16,15 @@
 
 namespace contrecoup::ale
 {
+/// All recorders of particles.
+using ParticleRecorders = RecorderSet<ParticleRecorder,
+                                      ParticleProbes,
+                                      ContactHistory<ParticleSnapshot>,
+                                      RegionContact,
+                                      ParticleReference,
+                                      ParticleRegions,
+                                      ParticleHead>;
+
 /// Largest energies over the history rows so far, of the whole matter [J].
 struct LargestEnergies
 {
@@ -53,11 +61,7 @@ public:
   std::vector<NamedValue> probes() override;
   std::vector<FieldFile> write_fields(const std::string &folder,
                                       unsigned int index) override;
-  std::vector<NamedValue> errors() override
-  {
-    return reference_.errors(
-      scene_.materials(), particles_, time_, communicator_);
-  }
+  std::vector<NamedValue> errors() override;
   std::vector<NamedValue> results() override;
   std::vector<NamedValue> checks() override;
   std::vector<Assumption> plan() override;
@@ -84,31 +88,26 @@ private:
   void build_grid();
   /// Sets column::force to the body force at the initial positions.
   void set_body_force(mpm::ParticleBlock &block) const;
-  /// Records contact forces of planes and between regions.
-  void record_contact(const double step);
+  void add_contact(const double step);
+  ParticleSnapshot snapshot();
   EnergyLedger ledger() const;
   ImpactPlan impact_plan() const;
   /// Grid cells across each layer around the brain of a head.
   std::vector<NamedValue> cells_across() const;
   /// Whether the spline width resolves the layers of a head.
   Assumption layer_resolution() const;
-  void find_probes();
   /// Reads the particles of tiles on this rank.
   void restore_part(io::StateReader &in);
 
   MPI_Comm communicator_;
   ImpactScene impact_;
   ParticleScene scene_;
-  ParticleReference reference_;
-  ParticleHead head_;
 
   mpm::TileGrid grid_;
   mpm::Particles particles_;
   std::unique_ptr<mpm::ParticleStep> step_;
   mpm::WallContact contact_;
-  ContactMeasures contact_now_;
-  ContactRecord contact_record_;
-  ContactRecord region_contact_; ///< between velocity fields that may separate
+  ContactMeasures contact_now_; ///< of all ranks
   std::uint64_t n_particles_ = 0;
   std::uint64_t n_steps_ = 0;
   std::uint64_t n_split_ = 0;
@@ -116,6 +115,6 @@ private:
   double time_ = 0.;
   double initial_energy_ = 0.;
   LargestEnergies largest_;
-  ExtremeRecord extremes_; ///< of the materials
+  ParticleRecorders recorders_;
 };
 } // namespace contrecoup::ale

@@ -3,17 +3,34 @@
 
 #pragma once
 
-#include <contrecoup/ale/exact/reference.h>
-#include <contrecoup/ale/head/head_measures.h>
-#include <contrecoup/ale/head/impact_scene.h>
-#include <contrecoup/ale/lagrange/contact_record.h>
 #include <contrecoup/ale/lagrange/heat_source.h>
-#include <contrecoup/ale/lagrange/lagrange_step.h>
+#include <contrecoup/ale/record/contact_history.h>
+#include <contrecoup/ale/record/head_measures.h>
+#include <contrecoup/ale/record/probe_cells.h>
+#include <contrecoup/ale/record/reference.h>
+#include <contrecoup/ale/record/region_history.h>
 #include <contrecoup/ale/rezone/rezone.h>
+#include <contrecoup/base/run/recorder_set.h>
 #include <contrecoup/base/run/simulation.h>
 
 namespace contrecoup::ale
 {
+/// All recorders of a moving mesh.
+using AleRecorders = RecorderSet<AleRecorder,
+                                 ProbeCells,
+                                 ContactHistory<AleSnapshot>,
+                                 Reference,
+                                 RegionHistory,
+                                 HeadMeasures>;
+
+/// Energies of the computed part that the balance refers to [J].
+struct KnownEnergies
+{
+  double initial = 0.;
+  double initial_kinetic = 0.;
+  double largest = 0.;
+};
+
 /**
  * The ALE solver for solids and fluids: the mesh moves with the matter, and
  * the mesh of fluids is rezoned at intervals. Steps, energy balance and
@@ -70,36 +87,29 @@ private:
   void check_scene(const dealii::Triangulation<3> &mesh);
   /// @throws InputError for a probe outside the mesh
   void check_probes(const dealii::Triangulation<3> &mesh) const;
-  void find_probe_cells();
+  AleSnapshot snapshot() const;
   EnergyLedger ledger() const;
   void heat(const double begin, const double duration);
   ImpactPlan impact_plan() const;
   /// Finds further usable symmetry.
   void find_symmetry(ImpactPlan &plan) const;
-  void restore_peaks(io::StateReader &in);
+  void restore_matter(const std::string &folder);
 
   MPI_Comm communicator_;
   ImpactScene impact_;
   Rezone rezone_;
   HeatSource heat_source_;
   InterfaceCoupling coupling_; ///< as in the parameter file
-  ContactRecord contact_;
-  Reference reference_;
-  HeadMeasures head_;
 
+  std::vector<Region> regions_; ///< by material id
   HexSpace space_;
   LagrangeStep lagrange_;
   AleState state_;
-  std::uint64_t n_cells_ = 0;
-  std::uint64_t n_nodes_ = 0;
-  double initial_energy_ = 0.;
-  double energy_scale_ = 0.;
-  double initial_kinetic_energy_ = 0.;
-  ExtremeRecord extremes_; ///< of the regions
-  double last_step_ = 0.;  ///< 0: before the first step [s]
+  AleRecorders recorders_;
+  KnownEnergies energies_;
+  std::optional<ContactMeasures> contact_; ///< of all ranks, with planes
+  double last_step_ = 0.;                  ///< 0: before the first step [s]
   /// Whether state_ is unchanged since the last step.
-  bool is_as_left_ = false;
-  /// Cell of each probe on the rank that owns the cell, elsewhere no_cell.
-  std::vector<std::uint32_t> probe_cells_;
+  bool forces_are_current_ = false;
 };
 } // namespace contrecoup::ale

@@ -33,25 +33,19 @@ private:
   double blend_;
 };
 
-/// Difference of two shapes: max(a, -b).
-class Difference : public Shape
-{
-public:
-  Difference(ShapePointer shape, ShapePointer removed);
-  double value(const dealii::Point<3> &point) const override;
-  dealii::Tensor<1, 3> gradient(const dealii::Point<3> &point) const override;
-  dealii::BoundingBox<3> bounding_box() const override;
-
-private:
-  ShapePointer shape_;
-  ShapePointer removed_;
-};
-
-/// Intersection of two shapes: max(a, b).
+/// Intersection of a shape with another or with what is outside of it: max(a,
+/// b), max(a, -b).
 class Intersection : public Shape
 {
 public:
-  Intersection(ShapePointer first, ShapePointer second);
+  enum class With
+  {
+    inside,
+    outside
+  };
+  Intersection(ShapePointer first,
+               ShapePointer second,
+               With side = With::inside);
   double value(const dealii::Point<3> &point) const override;
   dealii::Tensor<1, 3> gradient(const dealii::Point<3> &point) const override;
   dealii::BoundingBox<3> bounding_box() const override;
@@ -59,6 +53,7 @@ public:
 private:
   ShapePointer first_;
   ShapePointer second_;
+  double sign_; ///< of the second shape's distance
 };
 
 /// A shape whose surface is shifted outwards; inwards for growth < 0 [m].

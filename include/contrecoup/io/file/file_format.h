@@ -37,7 +37,7 @@ namespace io
     constexpr FileFormat outcome{"outcome", 1};   ///< outcome.json of a variant
     constexpr FileFormat forecast{"forecast", 1}; ///< CONTRECOUP_CHECK_FILE
     /// run.json and the solvers' files, which this number alone can read.
-    constexpr FileFormat checkpoint{"checkpoint", 21};
+    constexpr FileFormat checkpoint{"checkpoint", 22};
   } // namespace formats
 
   /// "contrecoup loads 1", the attribute "format" of files other than JSON.

@@ -1,13 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/ale/exact/noh_flow.h>
-#include <contrecoup/ale/exact/reference.h>
-#include <contrecoup/ale/exact/sedov_flow.h>
-#include <contrecoup/ale/exact/shock_tube_flow.h>
-#include <contrecoup/ale/exact/table_flow.h>
-#include <contrecoup/ale/exact/taylor_green_flow.h>
-#include <contrecoup/ale/exact/water_hammer_flow.h>
+#include <contrecoup/ale/record/reference.h>
 #include <contrecoup/base/parameters/parameters.h>
 #include <contrecoup/base/parameters/used_with.h>
 #include <contrecoup/base/system/exceptions.h>
@@ -16,30 +10,12 @@ namespace contrecoup::ale
 {
 namespace
 {
-  /// A flow that Reference/Kind may name.
-  struct Kind
-  {
-    std::string name, section;
-    void (*declare)(ParameterHandler &prm);
-    std::unique_ptr<ExactFlow> (*create)(const ParameterHandler &prm);
-  };
-
-  const std::vector<Kind> flows{
-    {"shock tube",
-     "Shock tube",
-     ShockTubeFlow::declare_parameters,
-     ShockTubeFlow::create},
-    {"noh", "Noh", NohFlow::declare_parameters, NohFlow::create},
-    {"sedov", "Sedov", SedovFlow::declare_parameters, SedovFlow::create},
-    {"taylor green",
-     "Taylor Green",
-     TaylorGreenFlow::declare_parameters,
-     TaylorGreenFlow::create},
-    {"water hammer",
-     "Water hammer",
-     WaterHammerFlow::declare_parameters,
-     WaterHammerFlow::create},
-    {"table", "Table", TableFlow::declare_parameters, TableFlow::create}};
+  const std::vector<FlowKind> flows{shock_tube_flow(),
+                                    noh_flow(),
+                                    sedov_flow(),
+                                    taylor_green_flow(),
+                                    water_hammer_flow(),
+                                    table_flow()};
 } // namespace
 
 
@@ -53,7 +29,7 @@ void Reference::declare_parameters(ParameterHandler &prm)
                                  "front",
                                  "extents",
                                  "probe displacements"};
-  for (const Kind &kind : flows)
+  for (const FlowKind &kind : flows)
     names.push_back(kind.name);
   declare_selection(prm,
                     "Kind",
@@ -83,20 +59,22 @@ void Reference::declare_parameters(ParameterHandler &prm)
     const UsedWith used("Reference/Kind = fluid filled shell");
     ShellPressures::declare_parameters(prm);
   }
-  for (const Kind &kind : flows)
+  for (const FlowKind &kind : flows)
   {
     const Section flow(prm, kind.section);
-    const UsedWith used("Reference/Kind = " + std::string(kind.name));
+    const UsedWith used("Reference/Kind = " + kind.name);
     kind.declare(prm);
   }
 }
 
 
-void Reference::parse_parameters(ParameterHandler &prm)
+void Reference::parse_parameters(ParameterHandler &prm,
+                                 const ImpactScene &impact)
 {
   const Section section(prm, "Reference");
   radius_ = read_double(prm, "Largest radius");
   const std::string name = prm.get("Kind");
+  check_probes(name, impact.probes.size());
   if (name == "rigid sphere")
   {
     const Section sphere(prm, "Rigid sphere");
@@ -114,10 +92,9 @@ void Reference::parse_parameters(ParameterHandler &prm)
 }
 
 
-void Reference::check_probes(ParameterHandler &prm, const std::size_t n_probes)
+void Reference::check_probes(const std::string &kind,
+                             const std::size_t n_probes)
 {
-  const Section section(prm, "Reference");
-  const std::string kind = prm.get("Kind");
   if (kind != "rigid sphere" && kind != "fluid filled shell")
     return;
   if (n_probes == 0)
@@ -129,43 +106,39 @@ void Reference::check_probes(ParameterHandler &prm, const std::size_t n_probes)
 }
 
 
-std::unique_ptr<ExactFlow> Reference::parse_flow(ParameterHandler &prm)
+std::optional<ExactFlow> Reference::parse_flow(ParameterHandler &prm)
 {
   const std::string name = prm.get("Kind");
-  for (const Kind &kind : flows)
+  for (const FlowKind &kind : flows)
     if (name == kind.name)
     {
       const Section flow(prm, kind.section);
-      return kind.create(prm);
+      return kind.read(prm);
     }
-  return nullptr;
+  return {};
 }
 
 
-void Reference::follow(const HexSpace &space,
-                       const LagrangeStep &lagrange,
-                       const AleState &state,
-                       const std::vector<std::uint32_t> &probes,
-                       const double step)
+void Reference::record(const AleSnapshot &now)
 {
   if (sphere_)
-    sphere_->follow(space, lagrange, state, probes, peaks_);
+    sphere_->follow(
+      now.space, now.lagrange, now.state, now.probe_cells, peaks_);
   if (shell_)
-    shell_->follow(space, lagrange, state, probes, step, peaks_);
+    shell_->follow(
+      now.space, now.lagrange, now.state, now.probe_cells, now.step, peaks_);
 }
 
 
-std::vector<NamedValue> Reference::errors(const HexSpace &space,
-                                          const LagrangeStep &lagrange,
-                                          const AleState &state) const
+std::vector<NamedValue> Reference::errors(const AleSnapshot &now) const
 {
-  if (flow_ && state.time > 0.)
-    return flow_errors(*flow_, space, lagrange, state, radius_);
+  if (flow_ && now.time > 0.)
+    return flow_errors(*flow_, now.space, now.lagrange, now.state, radius_);
   if (sphere_ && !peaks_.empty())
-    return SpherePeaks::errors(peaks_, space.communicator());
+    return SpherePeaks::errors(peaks_, now.communicator);
   if (shell_ && !peaks_.empty())
     return shell_->errors(
-      peaks_, lagrange.totals(state).mass, space.communicator());
+      peaks_, now.lagrange.totals(now.state).mass, now.communicator);
   return {};
 }
 } // namespace contrecoup::ale

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/ale/head/head_measures.h>
+#include <contrecoup/ale/record/head_measures.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -23,10 +23,9 @@ namespace
 } // namespace
 
 
-void HeadMeasures::reinit(const HexSpace &space,
-                          const LagrangeStep &lagrange,
-                          const AleState &state)
+void HeadMeasures::reinit(const AleSnapshot &now)
 {
+  const HexSpace &space = now.space;
   cells_.clear();
   heights_.clear();
   record_.samples.clear();
@@ -39,11 +38,11 @@ void HeadMeasures::reinit(const HexSpace &space,
       cells_.push_back(c);
       solid::BrainSample sample;
       sample.cell = space.cell_number(c);
-      sample.volume = lagrange.values(state, c).volume;
+      sample.volume = now.lagrange.values(now.state, c).volume;
       record_.samples.push_back(sample);
       corners.push_back(space.cell(c));
       volumes.push_back(sample.volume);
-      heights_.push_back(height(mean_over(space.cell(c), state.position)));
+      heights_.push_back(height(mean_over(space.cell(c), now.state.position)));
       volume += sample.volume;
       moment += sample.volume * heights_.back();
     }
@@ -68,14 +67,12 @@ void HeadMeasures::reinit(const HexSpace &space,
 }
 
 
-void HeadMeasures::follow(const HexSpace &space,
-                          const LagrangeStep &lagrange,
-                          const AleState &state)
+void HeadMeasures::record(const AleSnapshot &now)
 {
   if (!is_due())
     return;
-  follow_brain(lagrange, state);
-  follow_motion(space, state);
+  follow_brain(now.lagrange, now.state);
+  follow_motion(now.space, now.state);
 }
 
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/ale/particles/particle_measures.h>
+#include <contrecoup/ale/mesh/whole_body.h>
+#include <contrecoup/ale/particles/particle_regions.h>
 #include <contrecoup/materials/principal_difference.h>
 #include <contrecoup/materials/solid_law.h>
 #include <contrecoup/mpm/particle_lanes.h>
@@ -85,12 +86,11 @@ namespace
 } // namespace
 
 
-std::vector<RegionExtremes>
-particle_extremes(const std::vector<mpm::ParticleMaterial> &materials,
-                  const mpm::Particles &particles)
+void ParticleRegions::record(const ParticleSnapshot &now)
 {
+  const std::vector<mpm::ParticleMaterial> &materials = now.scene.materials();
   std::vector<RegionExtremes> extremes(materials.size());
-  particles.for_each_block(
+  now.particles.for_each_block(
     [&](const unsigned int m, const mpm::ParticleBlock &block) {
       RegionExtremes &found = extremes[m];
       const double *const pressure =
@@ -106,18 +106,18 @@ particle_extremes(const std::vector<mpm::ParticleMaterial> &materials,
         found.shear_strain = std::max(
           found.shear_strain, largest_shear_strain(block, found.shear_strain));
     });
-  return extremes;
+  extremes_.add(std::move(extremes));
 }
 
 
-std::vector<NamedValue>
-particle_measures(const std::vector<mpm::ParticleMaterial> &materials,
-                  const mpm::Particles &particles,
-                  const std::vector<RegionExtremes> &extremes,
-                  const MPI_Comm communicator)
+std::vector<NamedValue> ParticleRegions::history(const ParticleSnapshot &now)
 {
+  if (extremes_.is_empty())
+    record(now);
+  const std::vector<RegionExtremes> extremes = extremes_.take();
+  const std::vector<mpm::ParticleMaterial> &materials = now.scene.materials();
   std::vector<MaterialSums> found(materials.size());
-  particles.for_each_block(
+  now.particles.for_each_block(
     [&](const unsigned int m, const mpm::ParticleBlock &block) {
       for (std::size_t p = 0; p < block.size(); ++p)
         add_particle(block, p, found[m]);
@@ -127,8 +127,8 @@ particle_measures(const std::vector<mpm::ParticleMaterial> &materials,
   {
     auto &largest = found[m].largest;
     auto &sums = found[m].sums;
-    dealii::Utilities::MPI::max(largest, communicator, largest);
-    dealii::Utilities::MPI::sum(sums, communicator, sums);
+    dealii::Utilities::MPI::max(largest, now.communicator, largest);
+    dealii::Utilities::MPI::sum(sums, now.communicator, sums);
     const std::string name = "_" + materials[m].name;
     result.push_back(
       {"least_pressure" + name, "Pa", extremes[m].least_pressure});
@@ -156,5 +156,28 @@ particle_measures(const std::vector<mpm::ParticleMaterial> &materials,
     }
   }
   return result;
+}
+
+
+void RegionContact::record(const ParticleSnapshot &now)
+{
+  if (!now.region_force)
+    return;
+  ContactMeasures measures;
+  measures.force = *now.region_force;
+  contact_.add(measures, now.time, now.step);
+}
+
+
+std::vector<NamedValue>
+RegionContact::results(const ParticleSnapshot &now) const
+{
+  std::vector<NamedValue> values;
+  for (const NamedValue &value : contact_.values(now.time))
+    if (value.name.find("area") == std::string::npos)
+      values.push_back({"region_" + value.name, value.unit, value.value});
+  const MeshDescription &mesh = now.impact.mesh;
+  set_to_whole(values, mesh.computed_fraction(), mesh.symmetry_planes());
+  return values;
 }
 } // namespace contrecoup::ale

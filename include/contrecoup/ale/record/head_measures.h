@@ -3,8 +3,8 @@
 
 #pragma once
 
-#include <contrecoup/ale/head/head_record.h>
-#include <contrecoup/ale/lagrange/lagrange_step.h>
+#include <contrecoup/ale/record/ale_recorder.h>
+#include <contrecoup/ale/record/head_recorder.h>
 #include <contrecoup/solid/body/nodal_average.h>
 
 #include <vector>
@@ -12,18 +12,12 @@
 namespace contrecoup::ale
 {
 /// Records the injury measures of a head on a moving mesh.
-class HeadMeasures : public HeadRecord
+class HeadMeasures : public HeadRecorder<AleSnapshot>
 {
 public:
-  /// Selects the cells of the undeformed mesh, after find(). Collective.
-  void reinit(const HexSpace &space,
-              const LagrangeStep &lagrange,
-              const AleState &state);
-
-  /// Call before the first step and after each step. Collective.
-  void follow(const HexSpace &space,
-              const LagrangeStep &lagrange,
-              const AleState &state);
+  /// Selects the cells of the undeformed mesh, after find().
+  void reinit(const AleSnapshot &now) override;
+  void record(const AleSnapshot &now) override;
 
 private:
   void follow_brain(const LagrangeStep &lagrange, const AleState &state);

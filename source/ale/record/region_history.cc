@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/ale/lagrange/region_measures.h>
+#include <contrecoup/ale/record/region_history.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -70,15 +70,32 @@ std::vector<RegionExtremes> region_extremes(const HexSpace &space,
 }
 
 
-std::vector<NamedValue>
-region_measures(const HexSpace &space,
-                const AleState &state,
-                const std::vector<Region> &regions,
-                const std::vector<RegionExtremes> &extremes)
+void RegionHistory::record_rezoned(const AleSnapshot &now)
 {
+  std::vector<RegionExtremes> extremes = now.lagrange.extremes();
+  if (!now.forces_are_current)
+  {
+    // Neither smoothing nor heat changes the pressures of solids.
+    const auto found =
+      region_extremes(now.space, now.lagrange, now.state, now.regions, false);
+    for (std::size_t i = 0; i < found.size(); ++i)
+      if (now.regions[i].solid() == nullptr)
+        extremes[i] = found[i];
+  }
+  extremes_.add(std::move(extremes));
+}
+
+
+std::vector<NamedValue> RegionHistory::history(const AleSnapshot &now)
+{
+  const HexSpace &space = now.space;
+  const std::vector<Region> &regions = now.regions;
+  if (extremes_.is_empty())
+    extremes_.add(region_extremes(space, now.lagrange, now.state, regions));
+  const std::vector<RegionExtremes> extremes = extremes_.take();
   std::vector<Sums> sums(regions.size());
   for (std::size_t c = 0; c < space.n_locally_owned_cells(); ++c)
-    add_cell(space, state, c, sums[space.region(c)]);
+    add_cell(space, now.state, c, sums[space.region(c)]);
   std::vector<NamedValue> result;
   for (std::size_t i = 0; i < regions.size(); ++i)
   {
