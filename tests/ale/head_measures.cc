@@ -49,12 +49,11 @@ public:
     material.density = 1000.;
     material.bulk_modulus = bulk_modulus;
     material.instantaneous_shear = 1e6;
-    std::vector<Region> &regions = regions_;
-    regions[0].name = "brain";
-    regions[1].name = "skull";
-    for (Region &region : regions)
+    regions_[0].name = "brain";
+    regions_[1].name = "skull";
+    for (Region &region : regions_)
       region.law = material;
-    step_.reinit(space_, regions, {}, [](double) { return Vector(); });
+    step_.reinit(space_, regions_, {}, [](double) { return Vector(); });
     state_.position = start_ = space_.positions(node_width);
     state_.velocity.resize(start_.size());
     state_.mass.resize(space_.n_cells());
@@ -71,7 +70,7 @@ public:
       for (const auto &[entry, value] : list)
         apply_assignments({{{section}, entry, value, "test"}}, prm);
     measures_.parse_parameters(prm, impact_);
-    measures_.find(regions, planes);
+    measures_.find(regions_, planes);
     measures_.reinit(snapshot());
   }
 

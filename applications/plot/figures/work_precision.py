@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Contrecoup authors
-"""Pictures of error against cost, of studies and of single runs."""
+"""Pictures of error against cost, of studies."""
 
 import os
 import re
@@ -162,16 +162,3 @@ def draw_work_precision(study, folder):
     figure.suptitle(study["title"], x=0.01, ha="left")
     key.legend(axes[1], last_orders(study))
     save(figure, folder, "work_precision")
-
-
-def draw_lines(lines, error, path):
-    """@p lines are wall times [s] and errors of runs by label."""
-    figure, axis = plt.subplots(figsize=(6., 4.2))
-    for number, (label, points) in enumerate(lines.items()):
-        axis.loglog(*zip(*points), label=label, markersize=5,
-                    marker=MARKERS[number % len(MARKERS)])
-    axis.set_xlabel("wall time [s]")
-    axis.set_ylabel(error.replace("_", " "))
-    axis.set_title("Error against cost: lower left is better")
-    axis.legend()
-    style.save(figure, path)

@@ -138,10 +138,10 @@ def section(scene, judged):
     rows = [] if has_errors and not scene.asks_for_loads() else \
         list(_rows_of_skin(scene))
     for entry in judged:
-        if entry.error is None:
+        if entry.error is None and entry.coarser is None:
             continue
         rows.append((entry.title, entry.shown_coarser(), entry.shown(),
-                     entry.shown_error()))
+                     entry.shown_error() or "unknown"))
     coarser = "The coarser run has cells of twice the size" + (
         ", and no body: your own hexahedra have no coarser mesh, and errors of "
         "what happens in the body are unknown" if scene.has_own_mesh() else

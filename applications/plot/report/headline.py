@@ -3,6 +3,7 @@
 """Beginning of a report: the verdict, the answer of the tables next to it,
 what could change it, and the warnings of the runs."""
 
+import math
 import re
 
 import numpy as np
@@ -30,6 +31,13 @@ COMPARED = {"peak_overpressure": "peak overpressure",
             "reflected_impulse": "reflected impulse", "lung_exposure": KNOWN["lung_exposure_air"][0],
             "lung_lethality": KNOWN["lung_lethality"][0],
             "eardrum_rupture": "rupture probability of an eardrum in the open"}
+# Its numbers by their titles in the file.
+COLUMNS = {f"{key}{suffix}": f"{before}{title}"
+           for key, title in (("run", "this run"), ("tables", "tables"))
+           for suffix, before in (
+               ("", ""), ("_error", "relative error of "),
+               ("_least", "least of "), ("_largest", "largest of "))} \
+    | {"before_a_wall": "tables before a wall"}
 PROBE = least_phases.PROBE  # where the run is compared with the tables
 EAR = "nearer ear"
 LUNGS = ("lung_exposure", "lung_lethality")
@@ -55,7 +63,7 @@ class Lead:
         self.opening = _opening(scene)
         self.reservations = _certainty(scene, judged)
         self.warnings = scene.warnings()
-        self.rows = _rows(scene)
+        self.rows = _completed_rows(scene, judged)
         self.compared, self.gauge = _compared(scene, judged), _gauge(scene)
         self.has_probe = bool(scene.list_of("table_comparison")) \
             and not self.gauge
@@ -69,7 +77,8 @@ class Lead:
                 + (_at_trunk(scene) and f",{_at_trunk(scene)}"))
         self.explaining = reflections.explaining(scene)
         self.trunk = "; loads of skin, as at the trunk, are not compared with " \
-            "those of air" if injury_table.is_trunk_far(scene) else ""
+            "those of air" if any(row.get("place") == "trunk"
+                                  for row in self.rows) else ""
         self.reflections = reflections.note(scene) \
             + reflections.note_on_people(scene)
         self.heights = _heights(scene)
@@ -81,7 +90,7 @@ class Lead:
             + ["body"] + (["walls"] if reflections.walls(scene) else [])
         self.left_out = ("" if len(left_out) > 1 else "the ") \
             + page.joined(left_out)
-        self.file = _comparison_file(scene)
+        self.file = _comparison_file(self.rows)
 
     def lines(self):
         """The text version, a few lines."""
@@ -164,10 +173,13 @@ def _heights(scene):
     probe, known = scene.facts.get("probe_beside_body"), scene.loads()
     if not probe or known is None:
         return ""
-    others = [f"the {name} {_height(place)}"
-              for name, place in known.places().items()
-              if name in ("chest", "left ear")
-              and abs(place[2] - probe[2]) > LEVEL]
+    places, charge = known.places(), scene.charge_place()
+    ears = sorted((name for name in places if name.endswith(" ear")),
+                  key=lambda name: charge is not None
+                  and math.dist(places[name], charge))
+    others = [f"the {name} {_height(places[name])}"
+              for name in ("chest", *ears[:1]) if name in places
+              and abs(places[name][2] - probe[2]) > LEVEL]
     return (f" The probe is {_height(probe)} above the ground, "
             f"{page.joined(others)}.") if others else ""
 
@@ -205,17 +217,32 @@ def _equivalence(scene):
             + ("" if known.get("is_published") else ", not measured") + ")")
 
 
+def _completed_rows(scene, judged):
+    """Rows with what the tables have before a wall and with the bounds of
+    probabilities."""
+    rows = []
+    for row in _rows(scene):
+        name = str(row.get("name"))
+        if name in (*CHANCES, *LUNGS):
+            row = {"before_a_wall": scene.table_answer(name)[1], **row}
+        if row.get("place") == "trunk" and name == "lung_exposure":
+            load = injury_table.find(judged, injury_table.SKIN_NAMES[
+                name, injury_table.loaded_side(scene)])
+            row["run_error"] = load and load.error
+        if name in CHANCES and row.get("place") != EAR:
+            for key, ends in _bounds_of_chances(scene, judged, name).items():
+                row[f"{key}_least"], row[f"{key}_largest"] = ends
+        rows.append(row)
+    return rows
+
+
 def _compared(scene, judged=()):
     """Rows of this run next to the tables; of the tables alone where this run
     has no probe as far from the charge as the body, nor a gauge there."""
     rows, compared = [], scene.list_of("table_comparison")
     least = least_phases.at_probe(scene)
-    for row in _rows(scene):
+    for row in _completed_rows(scene, judged):
         name, unit = str(row.get("name")), row.get("unit") or "-"
-        if row.get("place") == "trunk" and name == "lung_exposure":
-            load = injury_table.find(judged, injury_table.SKIN_NAMES[
-                name, injury_table.loaded_side(scene)])
-            row = {**row, "run_error": load and load.error}
         is_chance = name in CHANCES
         columns = ("run", "tables") if compared else ("tables",)
         cells = [_with_error(row.get(key), unit, is_chance,
@@ -229,11 +256,11 @@ def _compared(scene, judged=()):
             cells[0] += ", least " + page.number(
                 least_phases.part_of_load(scene, least_phases.PROBE)
                 * row["run"] * (1. - (row.get("run_error") or 0.)))
-        notes = {key: [page.interval(*ends)] for key, ends in
-                 _bounds_of_chances(scene, judged, name).items()} \
-            if is_chance and row.get("place") != EAR else {}
-        wall = row.get("before_a_wall", scene.table_answer(name)[1])
-        if wall is not None and name in (*CHANCES, *LUNGS):
+        notes = {key: [page.interval(row[f"{key}_least"],
+                                     row[f"{key}_largest"])]
+                 for key in columns if f"{key}_least" in row}
+        wall = row.get("before_a_wall")
+        if wall is not None:
             told = page.chance if is_chance else page.number
             notes.setdefault("tables", []).append(f"{told(wall)} before a wall")
         for k, (key, cell) in enumerate(zip(columns, cells)):
@@ -277,16 +304,13 @@ def _title(row):
         + ("" if place == PROBE else f" at the {place}")
 
 
-def _comparison_file(scene):
+def _comparison_file(rows):
     """The same with all digits."""
-    return (("quantity", "unit", "this run", "relative error of this run",
-             "tables", "relative error of the tables", "differs"),
+    return (("quantity", "unit", *COLUMNS.values(), "differs"),
             [(_title(row), row.get("unit"),
               *("" if value is None else page.Rounded("", value) for value in (
-                  files.as_number(row.get(key)) for key in (
-                      "run", "run_error", "tables", "tables_error"))),
-              "yes" if row.get("differs") else "no") for row in
-             _rows(scene)])
+                  files.as_number(row.get(key)) for key in COLUMNS)),
+              "yes" if row.get("differs") else "no") for row in rows])
 
 
 def _rows(scene):

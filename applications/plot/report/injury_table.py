@@ -399,7 +399,9 @@ def _row(entry):
     lines.append(page.tag("small", entry.source))
     value = [page.tag("b", entry.shown())]
     if entry.error is None:
-        value.append(page.tag("small", "error unknown"))
+        value.append(page.tag("small", "error unknown" + (
+            "" if entry.coarser is None else
+            f" ({entry.shown_coarser()} in the coarser run)")))
     else:
         value += [page.escape(entry.shown_error()),
                   page.tag("small", f"due to {entry.error_of}")]

@@ -119,7 +119,11 @@ class Judged:
             return f"{self.shown_coarser()} in the coarser run, too"
         if not self.value and self.of is None:
             return f"up to {self.shown(self.bounds()[1])}"
-        return self.shown_bounds() if self.is_fraction \
+        least = min(self.bounds(), key=abs)
+        if self.is_cut and abs(least) > (page.NO_CHANCE if self.is_fraction
+                                         else 0.):
+            return f"by the numerics {self.shown(least, is_limit=True)}"
+        return self.shown_bounds() if self.is_fraction and not self.is_cut \
             else page.error(self.error) + (
                 "" if self.least_part == 1. else
                 f", least {self.shown(self.bounds()[0])}")

@@ -30,6 +30,7 @@ TEMPLATES = jinja2.Environment(
 LONGEST_ANSWER = 10  # lines on the screen
 # Resolution of all pictures of a page.
 DOTS_PER_INCH = 150
+NO_CHANCE = 5e-4  # below, a bound of a chance is shown as 0 %
 WORDS = ("no", "one", "two", "three", "four", "five", "six", "seven", "eight",
          "nine", "ten", "eleven", "twelve")
 NARROW = 400.  # px, width of pictures that narrow windows show whole
@@ -151,7 +152,7 @@ def interval(low, high, limits=()):
     "17 to 100 %"."""
     if high < 0.001 or low > 0.99:
         return chance(high if high < 0.001 else low)
-    low, high = ("0" if part < 5e-4 else "100" if part >= 0.995 else
+    low, high = ("0" if part < NO_CHANCE else "100" if part >= 0.995 else
                  number(100. * part, digits_beside(limits, part, 2))
                  for part in (low, high))
     return f"{low} to {high}\u00a0%" if low != high else f"{low}\u00a0%"

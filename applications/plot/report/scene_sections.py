@@ -445,7 +445,8 @@ def _timeline_chart(scene, found):
     if rises:
         caption += ("Arrivals are the middle of the first rise, which lasts "
                     f"{page.quantity(float(np.median(rises)), 's', 2)} (median "
-                    "on the skin): events that are closer have no order. ")
+                    "on the skin): events that are closer, or in tissue within "
+                    "their own rise, have no order. ")
     return page.figure(
         _draw_timeline(found), "Chart of events on a time axis, one row for "
         "each place on the skin and in the tissue, from "

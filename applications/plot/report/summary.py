@@ -10,12 +10,12 @@ import os
 import textwrap
 
 from plot.readers import formats
-from plot.report import injury_table
+from plot.report import headline, injury_table
 
 WIDTH = 78  # of the lines of headline.txt
 # What is not known of a quantity beside that of the tables.
-ROW = {"place": "probe 1", "run": None, "cut_off": False, "run_error": None,
-       "tables_error": None, "differs": False}
+ROW = {**dict.fromkeys(headline.COLUMNS), "place": "probe 1",
+       "cut_off": False, "differs": False}
 
 
 def of(scene, judged, lead, page):
@@ -79,7 +79,7 @@ def _measure(entry):
             "verdict": entry.meaning() if entry.has_verdict else "",
             "severity":
             injury_table.severity(entry), "is_certain":
-            None if entry.is_open else entry.is_certain(),
+            entry.is_certain() if entry.has_verdict else None,
             "probabilities": [{"event": event, "value": value,
                                **_bounds(bounds and (
                                    bounds[0],

@@ -341,17 +341,18 @@ def require_error(text, title, name, value, files):
         require("unknown" in text, f"{title}: {text}")
         return
     if value == 0. and other is not None and name not in files.cut_alone:
-        if other == 0.:
-            require(text.endswith("in the coarser run, too"),
-                    f"{title}: {text}")
-        else:
+        if other != 0.:
             require_chance(text.removeprefix("up to "), other, title)
-        return
+        return require(other or text.endswith("in the coarser run, too"),
+                       f"{title}: {text}")
     error, bounds = _error(name, value, files), _bounds(title, name, value,
                                                        files)
     if error is None:
         require("unknown" in text, f"{title}: {text}")
-    elif bounds:
+    elif text.startswith("by the numerics "):
+        require_same(text.removeprefix("by the numerics "),
+                     value * (1. - error), "least " + title)
+    elif bounds and not text.startswith("±"):
         found = re.fullmatch(r"(\S+) to (\S+) %", text)
         if not found:
             for bound in bounds:
