@@ -594,7 +594,7 @@ class ReportTest(unittest.TestCase):
                 ([wall], "may have merged with its reflection by the wall at "
                  "x = 3.2 m, which adds some 58 % to the peak and an unknown "
                  "part to the impulse and lets it arrive earlier; reflections "
-                 "by the body may add to impulse and duration."),
+                 "by the body may add to impulse and duration, as may"),
                 ([reflection("ground"), wall], "by the ground and wall at "
                  "x = 3.2 m, each of which adds some 58 %"),
                 ([reflection("ground", merges=False), wall],
@@ -653,7 +653,7 @@ class ReportTest(unittest.TestCase):
                 (": a reflection by the ground or body.",
                  {"later_peak_time": 6.8e-3}),
                 ("; reflections by the ground or body may add to impulse and "
-                 "duration.", {"later_peak_time": 7.2e-3}),
+                 "duration, as may", {"later_peak_time": 7.2e-3}),
                 ("; reflections by the body may add",
                  {"later_peak_time": 7.2e-3, "ground": 3.1e-3})):
             self.assertIn(words, told(**changes)[0])

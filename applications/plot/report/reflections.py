@@ -91,7 +91,7 @@ def note(scene, probe="the probe"):
          f"Peak and arrival at {probe} are those of the incident wave")
         + (f". {_second_wave(scene)}" if _has_second_wave(scene) else
            f"; reflections by the {reflectors(scene)} may add to impulse and "
-           "duration.")
+           "duration, as may the charge's own second shock.")
         + (" The run ends before the positive phase does: its impulse and "
            "duration are lower limits, and what it does to lungs is unknown."
            if scene.blast.found("results", "probe_1_cut_off") else ""))
@@ -128,7 +128,7 @@ def explaining(scene):
     """Possible reason for a longer or stronger wave at the first probe than
     that of the tables, in words."""
     if not _has_second_wave(scene):
-        return "reflections"
+        return "reflections or a second shock"
     return "the second wave" if _place_of_second_shock(scene) else \
         "reflections or the second wave"
 
