@@ -31,33 +31,16 @@ namespace
             source};
   }
 
-  TissueProperties viscoelastic(const Tissue tissue,
-                                const double density,
-                                const double bulk_modulus,
-                                const double instantaneous_shear,
-                                const double long_term_shear,
-                                const double relaxation_time,
-                                const std::string &source)
-  {
-    return {tissue,
-            density,
-            bulk_modulus,
-            instantaneous_shear,
-            long_term_shear,
-            relaxation_time,
-            source};
-  }
-
   /// Materials of surrogates.
   std::vector<TissueProperties> engineering_materials()
   {
-    return {viscoelastic(Tissue::water,
-                         998.,
-                         2.18 * gigapascal,
-                         0.,
-                         0.,
-                         0.,
-                         "water at 20 C, sound speed 1482 m/s; recalled"),
+    return {TissueProperties{Tissue::water,
+                             998.,
+                             2.18 * gigapascal,
+                             0.,
+                             0.,
+                             0.,
+                             "water at 20 C, sound speed 1482 m/s; recalled"},
             elastic(Tissue::gelatin,
                     1060.,
                     // Shear modulus 30 kPa, bulk modulus 2.3 GPa.
@@ -81,14 +64,14 @@ namespace
       elastic(Tissue::lung, 100., 50. * kilopascal, 0.3, paper)};
     for (const Tissue tissue :
          {Tissue::brain, Tissue::spinal_cord, Tissue::cerebrospinal_fluid})
-      set.push_back(
-        viscoelastic(tissue,
-                     1000.,
-                     2.19 * gigapascal,
-                     49. * kilopascal,
-                     16. * kilopascal,
-                     6e-3,
-                     tissue == Tissue::cerebrospinal_fluid ? as_brain : paper));
+      set.push_back(TissueProperties{
+        tissue,
+        1000.,
+        2.19 * gigapascal,
+        49. * kilopascal,
+        16. * kilopascal,
+        6e-3,
+        tissue == Tissue::cerebrospinal_fluid ? as_brain : paper});
     for (const Tissue tissue :
          {Tissue::soft_tissue, Tissue::skin, Tissue::heart, Tissue::liver})
       set.push_back(elastic(tissue,
@@ -106,45 +89,46 @@ namespace
   {
     const std::string recalled = "; recalled";
     std::vector<TissueProperties> set{
-      viscoelastic(Tissue::heart,
-                   1060.,
-                   2.6 * gigapascal,
-                   60. * kilopascal,
-                   20. * kilopascal,
-                   10e-3,
-                   "muscle and blood, sound speed 1566 m/s" + recalled),
-      viscoelastic(Tissue::liver,
-                   1060.,
-                   2.65 * gigapascal,
-                   20. * kilopascal,
-                   5. * kilopascal,
-                   10e-3,
-                   "sound speed 1580 m/s" + recalled)};
+      TissueProperties{Tissue::heart,
+                       1060.,
+                       2.6 * gigapascal,
+                       60. * kilopascal,
+                       20. * kilopascal,
+                       10e-3,
+                       "muscle and blood, sound speed 1566 m/s" + recalled},
+      TissueProperties{Tissue::liver,
+                       1060.,
+                       2.65 * gigapascal,
+                       20. * kilopascal,
+                       5. * kilopascal,
+                       10e-3,
+                       "sound speed 1580 m/s" + recalled}};
     for (const Tissue tissue : {Tissue::brain, Tissue::spinal_cord})
-      set.push_back(viscoelastic(tissue,
-                                 1040.,
-                                 2.37 * gigapascal,
-                                 41. * kilopascal,
-                                 7.8 * kilopascal,
-                                 2.5e-3,
-                                 "sound speed 1510 m/s; white matter of Zhang "
-                                 "et al. 2001" +
-                                   recalled));
+      set.push_back(
+        TissueProperties{tissue,
+                         1040.,
+                         2.37 * gigapascal,
+                         41. * kilopascal,
+                         7.8 * kilopascal,
+                         2.5e-3,
+                         "sound speed 1510 m/s; white matter of Zhang "
+                         "et al. 2001" +
+                           recalled});
     return set;
   }
 
   /// Air at 1 bar in three quarters of the volume: K = 142 kPa / 0.75.
   TissueProperties physiological_lung()
   {
-    TissueProperties lung =
-      viscoelastic(Tissue::lung,
-                   260.,
-                   0.19 * megapascal,
-                   5. * kilopascal,
-                   5. * kilopascal,
-                   0.,
-                   "density ICRP 89 half full, bulk modulus by Wood's law of "
-                   "bubbly media; recalled");
+    TissueProperties lung = TissueProperties{
+      Tissue::lung,
+      260.,
+      0.19 * megapascal,
+      5. * kilopascal,
+      5. * kilopascal,
+      0.,
+      "density ICRP 89 half full, bulk modulus by Wood's law of "
+      "bubbly media; recalled"};
     lung.gas = GasFilling(0.75, 1.4, 2.2 * gigapascal / lung.bulk_modulus);
     return lung;
   }
@@ -153,22 +137,23 @@ namespace
   {
     const std::string recalled = "; recalled";
     std::vector<TissueProperties> set{
-      viscoelastic(Tissue::soft_tissue,
-                   1000.,
-                   2.37 * gigapascal,
-                   60. * kilopascal,
-                   20. * kilopascal,
-                   10e-3,
-                   "muscle of 1050 and fat of 900 kg/m^3, sound speed "
-                   "1540 m/s" +
-                     recalled),
-      viscoelastic(Tissue::skin,
-                   1100.,
-                   2.85 * gigapascal,
-                   400. * kilopascal,
-                   400. * kilopascal,
-                   0.,
-                   "sound speed 1610 m/s, Young's modulus 1.2 MPa" + recalled),
+      TissueProperties{Tissue::soft_tissue,
+                       1000.,
+                       2.37 * gigapascal,
+                       60. * kilopascal,
+                       20. * kilopascal,
+                       10e-3,
+                       "muscle of 1050 and fat of 900 kg/m^3, sound speed "
+                       "1540 m/s" +
+                         recalled},
+      TissueProperties{Tissue::skin,
+                       1100.,
+                       2.85 * gigapascal,
+                       400. * kilopascal,
+                       400. * kilopascal,
+                       0.,
+                       "sound speed 1610 m/s, Young's modulus 1.2 MPa" +
+                         recalled},
       elastic(Tissue::skeleton,
               1300.,
               8. * gigapascal,
@@ -176,13 +161,13 @@ namespace
               "density ICRP 89, moduli of cortical and spongy bone together "
               "as in head models" +
                 recalled),
-      viscoelastic(Tissue::cerebrospinal_fluid,
-                   1007.,
-                   2.19 * gigapascal,
-                   0.,
-                   0.,
-                   0.,
-                   "close to water" + recalled),
+      TissueProperties{Tissue::cerebrospinal_fluid,
+                       1007.,
+                       2.19 * gigapascal,
+                       0.,
+                       0.,
+                       0.,
+                       "close to water" + recalled},
       physiological_lung()};
     for (const TissueProperties &one : physiological_organs())
       set.push_back(one);

@@ -78,13 +78,13 @@ namespace
 
   template <SolidKinematics kinematics>
   void strain_solid(const ParticleMaterial &material,
-                    const SolidMaterial &solid,
                     const SolidLaw<Lane> &law,
                     const double step,
                     const double cell_size,
                     ParticleBlock &particles,
                     const std::size_t p)
   {
+    const SolidMaterial &solid = *material.solid();
     const auto velocity_gradient =
       load_matrix(particles, column::velocity_gradient, p);
     const Lane rate =
@@ -184,7 +184,7 @@ void strain_particles(const ParticleMaterial &material,
   with_kinematics(material.kinematics, [&](const auto kinematics) {
     for (std::size_t p = 0; p < particles.size(); p += width)
       strain_solid<decltype(kinematics)::value>(
-        material, solid, law, step, cell_size, particles, p);
+        material, law, step, cell_size, particles, p);
   });
 }
 

@@ -85,8 +85,7 @@ namespace
   void declare_values(ParameterHandler &prm,
                       const std::string &name,
                       const std::string &default_value,
-                      const double smallest,
-                      const double largest,
+                      const std::pair<double, double> &range,
                       const std::string &unit,
                       const std::string &sentence)
   {
@@ -95,8 +94,8 @@ namespace
                  default_value,
                  1,
                  1000,
-                 smallest,
-                 largest,
+                 range.first,
+                 range.second,
                  unit,
                  sentence + " of each layer, from left to right.");
   }
@@ -226,26 +225,23 @@ void LayerField<dim>::declare_parameters(ParameterHandler &prm)
   declare_values(prm,
                  "Densities",
                  "1, 1, 1",
-                 bounds::smallest_density,
-                 bounds::density,
+                 {bounds::smallest_density, bounds::density},
                  "kg/m^3",
                  "Density");
   declare_values(prm,
                  "Velocities",
                  "0, 0, 0",
-                 -bounds::speed,
-                 bounds::speed,
+                 {-bounds::speed, bounds::speed},
                  "m/s",
                  "Velocity along the direction");
   declare_values(prm,
                  "Pressures",
                  "1000, 0.01, 100",
-                 -bounds::pressure,
-                 bounds::pressure,
+                 {-bounds::pressure, bounds::pressure},
                  "Pa",
                  "Absolute pressure");
   declare_values(
-    prm, "Products", "0, 0, 0", 0., 1., "-", "Mass fraction of products");
+    prm, "Products", "0, 0, 0", {0., 1.}, "-", "Mass fraction of products");
 }
 
 

@@ -70,18 +70,18 @@ namespace
   }};
 
 
-  /// Cubic Hermite interpolation.
-  double interpolate(const double x,
-                     const double x0,
-                     const double y0,
-                     const double slope0,
-                     const double x1,
-                     const double y1,
-                     const double slope1)
+  /// A point of a curve.
+  struct Knot
   {
-    const double h = x1 - x0, t = (x - x0) / h, s = 1. - t;
-    return s * s * ((1. + 2. * t) * y0 + t * h * slope0) +
-           t * t * ((1. + 2. * s) * y1 - s * h * slope1);
+    double x, y, slope;
+  };
+
+  /// Cubic Hermite interpolation.
+  double interpolate(const double x, const Knot &low, const Knot &high)
+  {
+    const double h = high.x - low.x, t = (x - low.x) / h, s = 1. - t;
+    return s * s * ((1. + 2. * t) * low.y + t * h * low.slope) +
+           t * t * ((1. + 2. * s) * high.y - s * h * high.slope);
   }
 
 
@@ -142,8 +142,9 @@ double PointSourceSolution::overpressure(const double radius) const
 {
   const double x = std::log(radius / scaling_length_);
   const Row *low = row_below(x), *high = std::next(low);
-  return pressure_ * std::exp(interpolate(
-                       x, low->x, low->y, low->dy, high->x, high->y, high->dy));
+  return pressure_ * std::exp(interpolate(x,
+                                          {low->x, low->y, low->dy},
+                                          {high->x, high->y, high->dy}));
 }
 
 
@@ -152,7 +153,7 @@ double PointSourceSolution::arrival_time(const double radius) const
   const double x = std::log(radius / scaling_length_);
   const Row *low = row_below(x), *high = std::next(low);
   const double lead = std::exp(
-    interpolate(x, low->x, low->z, low->dz, high->x, high->z, high->dz));
+    interpolate(x, {low->x, low->z, low->dz}, {high->x, high->z, high->dz}));
   return (radius - lead * scaling_length_) / sound_speed_;
 }
 } // namespace contrecoup
