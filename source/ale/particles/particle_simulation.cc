@@ -172,7 +172,7 @@ bool ParticleSimulation::adapt()
 {
   constexpr unsigned int interval = 20; // steps
   constexpr double stretch = 2.;
-  if (++n_steps_ % interval != 0)
+  if (++resampled_.n_steps % interval != 0)
     return false;
   const TimerScope timer("split and merge");
   std::vector<std::uint64_t> counts(2, 0);
@@ -185,8 +185,8 @@ bool ParticleSimulation::adapt()
   mpi::sum(counts, communicator_, counts);
   if (counts[0] + counts[1] == 0)
     return false;
-  n_split_ += counts[0];
-  n_merged_ += counts[1];
+  resampled_.n_split += counts[0];
+  resampled_.n_merged += counts[1];
   n_particles_ =
     mpi::sum(static_cast<std::uint64_t>(particles_.size()), communicator_);
   particles_.sort(grid_);
@@ -299,8 +299,8 @@ std::vector<NamedValue> ParticleSimulation::checks()
     {"energy_residual", "-", now.residual / scale},
     {"transfer_loss", "-", now.transfer_loss / scale},
     {"contact_loss", "-", now.contact_loss / scale},
-    {"split_particles", "-", static_cast<double>(n_split_)},
-    {"merged_particles", "-", static_cast<double>(n_merged_)}};
+    {"split_particles", "-", static_cast<double>(resampled_.n_split)},
+    {"merged_particles", "-", static_cast<double>(resampled_.n_merged)}};
   for (const NamedValue &value : cells_across())
     values.push_back(value);
   return values;

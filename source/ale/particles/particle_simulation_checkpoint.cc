@@ -21,7 +21,7 @@ namespace
     std::uint64_t n_particles; ///< on all ranks
     std::uint64_t n_materials;
     std::uint64_t n_blocks; ///< in this file
-    std::uint64_t n_steps, n_split, n_merged;
+    ResampledParticles resampled;
     double cell_size;
     double time;
     double initial_energy;
@@ -45,9 +45,7 @@ void ParticleSimulation::save(const std::string &folder)
     CheckpointHeader header{n_particles_,
                             scene_.materials().size(),
                             0,
-                            n_steps_,
-                            n_split_,
-                            n_merged_,
+                            resampled_,
                             scene_.cell_size(),
                             time_,
                             initial_energy_,
@@ -85,9 +83,7 @@ void ParticleSimulation::restore_part(io::StateReader &in)
       header.cell_size != scene_.cell_size())
     in.refuse();
   n_particles_ = header.n_particles;
-  n_steps_ = header.n_steps;
-  n_split_ = header.n_split;
-  n_merged_ = header.n_merged;
+  resampled_ = header.resampled;
   time_ = header.time;
   initial_energy_ = header.initial_energy;
   largest_ = header.largest;

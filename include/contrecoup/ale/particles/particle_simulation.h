@@ -33,6 +33,14 @@ struct LargestEnergies
   double wall_work = 0.;  ///< of planes and body forces, but for friction
 };
 
+/// Numbers of steps and of particles that adapt() has added and removed.
+struct ResampledParticles
+{
+  std::uint64_t n_steps = 0;
+  std::uint64_t n_split = 0;
+  std::uint64_t n_merged = 0; ///< net decrease of the number of particles
+};
+
 /// Solids and liquids by the material point method: time steps, resampling,
 /// energy balance and output.
 class ParticleSimulation : public Simulation
@@ -109,9 +117,7 @@ private:
   mpm::WallContact contact_;
   ContactMeasures contact_now_; ///< of all ranks
   std::uint64_t n_particles_ = 0;
-  std::uint64_t n_steps_ = 0;
-  std::uint64_t n_split_ = 0;
-  std::uint64_t n_merged_ = 0; ///< net decrease of the number of particles
+  ResampledParticles resampled_;
   double time_ = 0.;
   double initial_energy_ = 0.;
   LargestEnergies largest_;
