@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/parameters/parameter_tree.h>
-#include <contrecoup/base/system/exceptions.h>
-#include <contrecoup/geometry/body/body_description.h>
 #include <contrecoup/geometry/mesh/hex_components.h>
 #include <contrecoup/geometry/mesh/mesh_file.h>
 
 #include <deal.II/grid/grid_generator.h>
 
+#include "described_body.h"
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -107,56 +104,20 @@ std::string vtk()
   return text.str();
 }
 
-class OwnMesh : public ::testing::Test
+class OwnMesh : public BodyFiles
 {
 protected:
-  OwnMesh()
-    : folder_(std::filesystem::temp_directory_path() /
-              ("contrecoup_own_mesh_" + std::to_string(getpid())))
-  {
-    std::filesystem::create_directories(folder_);
-  }
-
-  ~OwnMesh() override
-  {
-    std::filesystem::remove_all(folder_);
-  }
-
   std::string write(const std::string &name, const std::string &content) const
   {
     std::ofstream(folder_ / name, std::ios::binary) << content;
     return folder_ / name;
   }
 
-  static BodyPointer create(const std::string &file,
-                            const std::vector<std::string> &more)
+  BodyPointer create(const std::string &file,
+                     const std::vector<std::string> &more) const override
   {
-    dealii::ParameterHandler prm;
-    BodyDescription::declare_parameters(prm);
-    std::vector<Assignment> assignments{parse_override("Kind=mesh"),
-                                        parse_override("Mesh/Unit=mm"),
-                                        parse_override("Mesh/File=" + file)};
-    for (const std::string &line : more)
-      assignments.push_back(parse_override(line));
-    apply_assignments(assignments, prm);
-    BodyDescription description;
-    description.parse_parameters(prm);
-    return description.create();
-  }
-
-  static std::string refusal(const std::string &file,
-                             const std::vector<std::string> &more = {})
-  {
-    try
-    {
-      create(file, more);
-    }
-    catch (const InputError &error)
-    {
-      EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
-      return error.what();
-    }
-    return "";
+    return described_body({"Kind=mesh", "Mesh/Unit=mm", "Mesh/File=" + file},
+                          more);
   }
 
   static void expect(const std::string &message, const std::string &part)
@@ -164,8 +125,6 @@ protected:
     EXPECT_NE(message.find(part), std::string::npos)
       << "'" << message << "' lacks '" << part << "'";
   }
-
-  std::filesystem::path folder_;
 };
 } // namespace
 

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/parameters/parameter_tree.h>
-#include <contrecoup/base/system/exceptions.h>
-#include <contrecoup/geometry/body/body_description.h>
 #include <contrecoup/geometry/shape/triangulated_surface.h>
 
+#include "described_body.h"
 #include "spheres.h"
 #include <gtest/gtest.h>
 
@@ -71,22 +69,9 @@ void write_ply(const TriangleMesh &mesh, std::ostream &out)
     out << "3 " << t[0] << " " << t[1] << " " << t[2] << "\n";
 }
 
-/// A folder for files of one test.
-class SurfaceFile : public ::testing::Test
+class SurfaceFile : public BodyFiles
 {
 protected:
-  SurfaceFile()
-    : folder_(std::filesystem::temp_directory_path() /
-              ("contrecoup_surface_" + std::to_string(getpid())))
-  {
-    std::filesystem::create_directories(folder_);
-  }
-
-  ~SurfaceFile() override
-  {
-    std::filesystem::remove_all(folder_);
-  }
-
   template <typename Writer>
   std::string write(const std::string &name,
                     const TriangleMesh &mesh,
@@ -98,37 +83,11 @@ protected:
   }
 
   /// A body from a surface.
-  static BodyPointer create(const std::string &file,
-                            const std::vector<std::string> &more = {})
+  BodyPointer create(const std::string &file,
+                     const std::vector<std::string> &more = {}) const override
   {
-    dealii::ParameterHandler prm;
-    BodyDescription::declare_parameters(prm);
-    std::vector<Assignment> assignments{parse_override("Kind=surface"),
-                                        parse_override("Surface/File=" + file)};
-    for (const std::string &line : more)
-      assignments.push_back(parse_override(line));
-    apply_assignments(assignments, prm);
-    BodyDescription description;
-    description.parse_parameters(prm);
-    return description.create();
+    return described_body({"Kind=surface", "Surface/File=" + file}, more);
   }
-
-  static std::string refusal(const std::string &file,
-                             const std::vector<std::string> &more = {})
-  {
-    try
-    {
-      create(file, more);
-    }
-    catch (const InputError &error)
-    {
-      EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
-      return error.what();
-    }
-    return "";
-  }
-
-  std::filesystem::path folder_;
 };
 } // namespace
 

@@ -468,11 +468,12 @@ class ReportTest(unittest.TestCase):
                 ("right side", -91.4, -0.8, ", 91 degrees to the right of "
                  "where the person faces, 1 degree below the middle of the "
                  "body"),
-                ("head", 30., 80., ", 80 degrees above the middle of the body"),
+                ("feet", 30., -80.4, ", 80 degrees towards the feet from the middle of the body"),
                 ("front", 0.2, 0.4, ""), ("back", -180., 0., "")):
             scene.facts["person"].update(
                 side_to_charge=side, charge_azimuth=azimuth,
-                charge_elevation=elevation)
+                charge_elevation=elevation,
+                posture="lying" if side == "feet" else "standing")
             self.assertIn(
                 f">{person.place_of_charge(scene)} the person{words}<",
                 str(scene_sections.facts(scene)))
@@ -892,6 +893,19 @@ class ReportTest(unittest.TestCase):
             self.assertIn("minimum brain pressure (in magnitude) is a lower "
                           "limit", injury_table.cut_off([entry], "End", 3e-3)[0])
 
+    def test_largest_peak_of_another_wave(self):
+        """Its error is that of both waves, each beside the same one."""
+        time = np.linspace(0., 6., 601)
+        scene, coarser = (types.SimpleNamespace(
+            facts={}, gauge_measures=lambda peak=max(peaks): {
+                "ear": {"peak": peak}},
+            blast=types.SimpleNamespace(table=lambda _, over=np.interp(
+                time, [1., 1.1, 2., 3., 3.1, 5.], [0., peaks[0], 9., 9., peaks[1], 0.]):
+                {"time": time, "ear": over})) for peaks in ((57., 77.), (86., 57.)))
+        scene.coarser = coarser
+        self.assertAlmostEqual(error_estimate.of_scene_gauges(scene)["ear"]["peak"],
+                               20. / 77. / (2. ** 0.7 - 1.))
+
     def test_what_follows_from_a_lower_limit(self):
         """The value of a coarser run that ends as early, and probabilities."""
         scene = types.SimpleNamespace(
@@ -1126,12 +1140,12 @@ class ReportTest(unittest.TestCase):
         scene.facts["table_comparison"].append(
             {"name": "lung_exposure", "unit": "-", "run": 2., "run_error": 0.1,
              "tables": 3., "differs": False})
-        rows = {row[0]: row[1] for row in headline._compared(scene)}
+        rows = {row[0]: row[1] for row in headline._compared(scene, [load])}
         self.assertEqual([name for name, run in rows.items()
                           if ", least " in run],
                          ["duration", headline.COMPARED["lung_exposure"]])
         self.assertIn(", least 1.00\xa0ms", rows["duration"])
-        self.assertIn(f", least {(part * 1.8):.3g}",
+        self.assertIn(f", least {low:.3g}",
                       rows[headline.COMPARED["lung_exposure"]])
         _, explaining, note = told(20.)
         self.assertEqual(explaining, "the second wave")

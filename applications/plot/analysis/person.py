@@ -93,11 +93,13 @@ def azimuth_of_charge(scene):
 
 
 def elevation_of_charge(scene):
-    """The same of its height; "" where it is level with the middle of the
-    body."""
+    """The same along the body's long axis; "" where it is level with the middle
+    of the body."""
     angle = _angle(scene, "elevation")
-    return (f"{_degrees(angle)} {'above' if angle > 0 else 'below'} the middle "
-            "of the body") if angle else ""
+    is_lying = (scene.facts.get("person") or {}).get("posture") == "lying"
+    side = f"towards the {'head' if angle > 0 else 'feet'} from" if is_lying \
+        else "above" if angle > 0 else "below"
+    return f"{_degrees(angle)} {side} the middle of the body" if angle else ""
 
 
 def _angle(scene, name):

@@ -24,12 +24,6 @@ from plot.figures import radial_profiles
 ROWS = 6  # of the table over time
 
 
-def open_run(argument):
-    label, sign, path = argument.rpartition("=")
-    return radial.RadialRun(
-        label if sign else os.path.basename(path.rstrip("/")), path)
-
-
 def show(rows):
     """A table in Markdown, its first row the head."""
     for number, row in enumerate(rows):
@@ -91,7 +85,11 @@ def tell_shocks(runs, radius):
 
 
 def main(picture, radius: float, result, *more_results):
-    runs = [open_run(argument) for argument in (result, *more_results)]
+    runs = []
+    for argument in (result, *more_results):
+        label, sign, path = argument.rpartition("=")
+        runs.append(radial.RadialRun(
+            label if sign else os.path.basename(path.rstrip("/")), path))
     with_history = [run for run in runs if run.history]
     if with_history:
         tell_conservation(with_history)

@@ -5,6 +5,9 @@
 import math
 import statistics
 
+import numpy as np
+
+from plot.analysis import signals
 from plot.report import page
 
 # Assumed order of convergence: pressures at fronts converge slower than to
@@ -19,13 +22,14 @@ GAUGE_MEASURES = ("peak", "impulse", "positive phase")
 LEAST = 0.02
 
 
-def of_gauges(fine, coarse, ratio, other_phases=()):
+def of_gauges(fine, coarse, ratio, other_phases=(), other_waves=None):
     """Relative errors by gauge and measure, from the measures of both runs (as
     Scene.gauge_measures()) and the ratio of their cells. Two runs can agree at
     a place by chance: no error is smaller than LEAST, or than the median of its
     measure over all gauges. Measures that are missing or not positive have
     none, nor have impulse and phase where a run cuts them off or one alone has
-    more waves in the phase, as at the gauges @p other_phases."""
+    more waves in the phase, as at the gauges @p other_phases. By gauge,
+    @p other_waves has peaks of each wave in both runs."""
     times = 1. / (ratio ** ORDER - 1.)
     errors = {gauge: {} for gauge in fine}
     for name in GAUGE_MEASURES:
@@ -38,6 +42,10 @@ def of_gauges(fine, coarse, ratio, other_phases=()):
                 continue
             if value > 0. and math.isfinite(other):
                 errors[gauge][name] = times * abs(other / value - 1.)
+            if name == "peak" and gauge in (other_waves or {}):
+                errors[gauge][name] = max(
+                    (one + times * abs(same - one)) / value - 1.
+                    for one, same in other_waves[gauge])
         known = [one[name] for one in errors.values() if name in one]
         for one in errors.values():
             if name in one:
@@ -51,7 +59,29 @@ def of_scene_gauges(scene, other_phases=()):
         return {}
     ratio = (scene.facts.get("coarser_run") or {}).get("cell_ratio", 2.)
     return of_gauges(scene.gauge_measures(), scene.coarser.gauge_measures(),
-                     ratio, other_phases)
+                     ratio, other_phases, _other_waves(scene))
+
+
+def _other_waves(scene):
+    """Both peaks in both runs [Pa] by the gauges where the largest is another."""
+    found = {}
+    fine, coarse = (run.blast.table("load_gauges.csv")
+                    for run in (scene, scene.coarser))
+    for name in scene.gauge_measures():
+        if any(run is None or name not in run for run in (fine, coarse)):
+            continue
+        tops = signals.find_peaks(fine["time"], fine[name])
+        if None in tops:
+            continue
+        times, peaks = (fine[key][list(tops)] for key in ("time", name))
+        away = np.abs(np.subtract.outer(times, coarse["time"]))
+        if np.argmax(peaks) != np.argmin(away[:, np.argmax(coarse[name])]):
+            over = coarse[name]
+            is_top = (over >= np.roll(over, 1)) & (over >= np.roll(over, -1))
+            found[name] = [
+                (peak, np.max(over, where=near & is_top, initial=0.))
+                for peak, near in zip(peaks, away <= 0.5 * np.ptp(times))]
+    return found
 
 
 def factor(scene, name):

@@ -41,8 +41,8 @@ COLUMNS = {f"{key}{suffix}": f"{before}{title}"
 PROBE = least_phases.PROBE  # where the run is compared with the tables
 EAR = "nearer ear"
 LUNGS = ("lung_exposure", "lung_lethality")
-# Loads by which probabilities follow.
 PRODUCTS = 0.1  # mass fraction from which they are told
+# Loads by which probabilities follow.
 LOADS = {"lung_lethality": "lung_exposure", "eardrum_rupture": "peak_overpressure"}
 CHANCES = tuple(LOADS)
 BOUNDS = "for probabilities the bounds that follow from those of their load"
@@ -218,17 +218,19 @@ def _equivalence(scene):
 
 
 def _completed_rows(scene, judged):
-    """Rows with what the tables have before a wall and with the bounds of
-    probabilities."""
+    """Rows with the tables before a wall and with bounds of probabilities."""
     rows = []
     for row in _rows(scene):
         name = str(row.get("name"))
         if name in (*CHANCES, *LUNGS):
             row = {"before_a_wall": scene.table_answer(name)[1], **row}
-        if row.get("place") == "trunk" and name == "lung_exposure":
+        if name == "lung_exposure":
             load = injury_table.find(judged, injury_table.SKIN_NAMES[
-                name, injury_table.loaded_side(scene)])
-            row["run_error"] = load and load.error
+                name, injury_table.loaded_side(scene)] if row.get("place") ==
+                                     "trunk" else "lung_exposure_air")
+            row.setdefault("run_error", load and load.error)
+            if load and load.least_part != 1.:
+                row["run_least"], row["run_largest"] = load.bounds() or (None,) * 2
         if name in CHANCES and row.get("place") != EAR:
             for key, ends in _bounds_of_chances(scene, judged, name).items():
                 row[f"{key}_least"], row[f"{key}_largest"] = ends
@@ -251,14 +253,11 @@ def _compared(scene, judged=()):
             cells[0] = "≥ " + cells[0]
         if compared and least is not None and name == "duration":
             cells[0] += f", least {page.milliseconds(least)}"
-        if compared and least is not None and name == "lung_exposure":
-            # As of an error, what is left is of the least load.
-            cells[0] += ", least " + page.number(
-                least_phases.part_of_load(scene, least_phases.PROBE)
-                * row["run"] * (1. - (row.get("run_error") or 0.)))
+        if compared and name == "lung_exposure" and row.get("run_least"):
+            cells[0] += ", least " + page.number(row["run_least"])
         notes = {key: [page.interval(row[f"{key}_least"],
                                      row[f"{key}_largest"])]
-                 for key in columns if f"{key}_least" in row}
+                 for key in columns if is_chance and f"{key}_least" in row}
         wall = row.get("before_a_wall")
         if wall is not None:
             told = page.chance if is_chance else page.number

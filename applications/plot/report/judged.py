@@ -120,8 +120,7 @@ class Judged:
         if not self.value and self.of is None:
             return f"up to {self.shown(self.bounds()[1])}"
         least = min(self.bounds(), key=abs)
-        if self.is_cut and abs(least) > (page.NO_CHANCE if self.is_fraction
-                                         else 0.):
+        if self.is_cut and abs(least) > page.NO_CHANCE * self.is_fraction:
             return f"by the numerics {self.shown(least, is_limit=True)}"
         return self.shown_bounds() if self.is_fraction and not self.is_cut \
             else page.error(self.error) + (

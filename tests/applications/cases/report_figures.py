@@ -351,7 +351,8 @@ def require_error(text, title, name, value, files):
         require("unknown" in text, f"{title}: {text}")
     elif text.startswith("by the numerics "):
         require_same(text.removeprefix("by the numerics "),
-                     value * (1. - error), "least " + title)
+                     value * (1. - error) * files.least_part_of_load(name),
+                     "least " + title)
     elif bounds and not text.startswith("±"):
         found = re.fullmatch(r"(\S+) to (\S+) %", text)
         if not found:
