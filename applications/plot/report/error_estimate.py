@@ -29,7 +29,7 @@ def of_gauges(fine, coarse, ratio, other_phases=(), other_waves=None):
     measure over all gauges. Measures that are missing or not positive have
     none, nor have impulse and phase where a run cuts them off or one alone has
     more waves in the phase, as at the gauges @p other_phases. By gauge,
-    @p other_waves has peaks of each wave in both runs."""
+    @p other_waves has the peaks of each wave in both runs."""
     times = 1. / (ratio ** ORDER - 1.)
     errors = {gauge: {} for gauge in fine}
     for name in GAUGE_MEASURES:
@@ -63,12 +63,13 @@ def of_scene_gauges(scene, other_phases=()):
 
 
 def _other_waves(scene):
-    """Both peaks in both runs [Pa] by the gauges where the largest is another."""
+    """Peaks of both waves in both runs [Pa], by the gauges where these differ in
+    which wave is larger; 0 for a wave that the coarser run lacks."""
     found = {}
     fine, coarse = (run.blast.table("load_gauges.csv")
                     for run in (scene, scene.coarser))
     for name in scene.gauge_measures():
-        if any(run is None or name not in run for run in (fine, coarse)):
+        if None in (fine, coarse) or name not in fine or name not in coarse:
             continue
         tops = signals.find_peaks(fine["time"], fine[name])
         if None in tops:

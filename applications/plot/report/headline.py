@@ -31,13 +31,12 @@ COMPARED = {"peak_overpressure": "peak overpressure",
             "reflected_impulse": "reflected impulse", "lung_exposure": KNOWN["lung_exposure_air"][0],
             "lung_lethality": KNOWN["lung_lethality"][0],
             "eardrum_rupture": "rupture probability of an eardrum in the open"}
-# Its numbers by their titles in the file.
-COLUMNS = {f"{key}{suffix}": f"{before}{title}"
-           for key, title in (("run", "this run"), ("tables", "tables"))
-           for suffix, before in (
-               ("", ""), ("_error", "relative error of "),
-               ("_least", "least of "), ("_largest", "largest of "))} \
-    | {"before_a_wall": "tables before a wall"}
+TITLES_IN_FILE = {
+    f"{key}{suffix}": f"{before}{title}"
+    for key, title in (("run", "this run"), ("tables", "tables"))
+    for suffix, before in (("", ""), ("_error", "relative error of "),
+                           ("_least", "least of "), ("_largest", "largest of "))
+} | {"before_a_wall": "tables before a wall"}
 PROBE = least_phases.PROBE  # where the run is compared with the tables
 EAR = "nearer ear"
 LUNGS = ("lung_exposure", "lung_lethality")
@@ -230,7 +229,7 @@ def _completed_rows(scene, judged):
                                      "trunk" else "lung_exposure_air")
             row.setdefault("run_error", load and load.error)
             if load and load.least_part != 1.:
-                row["run_least"], row["run_largest"] = load.bounds() or (None,) * 2
+                row["run_least"], row["run_largest"] = load.sure_bounds()
         if name in CHANCES and row.get("place") != EAR:
             for key, ends in _bounds_of_chances(scene, judged, name).items():
                 row[f"{key}_least"], row[f"{key}_largest"] = ends
@@ -305,10 +304,10 @@ def _title(row):
 
 def _comparison_file(rows):
     """The same with all digits."""
-    return (("quantity", "unit", *COLUMNS.values(), "differs"),
+    return (("quantity", "unit", *TITLES_IN_FILE.values(), "differs"),
             [(_title(row), row.get("unit"),
               *("" if value is None else page.Rounded("", value) for value in (
-                  files.as_number(row.get(key)) for key in COLUMNS)),
+                  files.as_number(row.get(key)) for key in TITLES_IN_FILE)),
               "yes" if row.get("differs") else "no") for row in rows])
 
 

@@ -14,7 +14,7 @@ from plot.report import headline, injury_table
 
 WIDTH = 78  # of the lines of headline.txt
 # What is not known of a quantity beside that of the tables.
-ROW = {**dict.fromkeys(headline.COLUMNS), "place": "probe 1",
+ROW = {**dict.fromkeys(headline.TITLES_IN_FILE), "place": "probe 1",
        "cut_off": False, "differs": False}
 
 

@@ -41,7 +41,7 @@ public:
     return values;
   }
 
-  /// Of the computed part of the body.
+  /// The contact of the computed part of the body.
   const ContactRecord &contact() const
   {
     return contact_;

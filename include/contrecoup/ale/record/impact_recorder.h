@@ -24,7 +24,7 @@ struct ImpactSnapshot
   double step = 0.; ///< size of the step; 0: none yet in this run [s]
   /// Contact with rigid walls, of all ranks; nothing without walls.
   std::optional<ContactMeasures> contact = {};
-  RunEnd end = {}; ///< by the records so far
+  RunEnd end = {}; ///< what continues at this time
 };
 
 /**
@@ -59,7 +59,7 @@ public:
   virtual void record(const Snapshot & /*now*/)
   {}
 
-  /// Records what rezoning has made of this state. Called after each step.
+  /// Records the state after rezoning, in each step of a moving mesh.
   virtual void record_rezoned(const Snapshot & /*now*/)
   {}
 
