@@ -4,6 +4,7 @@
 factors."""
 
 import matplotlib.pyplot as plt
+import numpy as np
 from matplotlib.colors import ListedColormap
 from matplotlib.patches import Patch
 
@@ -24,17 +25,15 @@ OUTCOMES = {
 
 def judged(row, study):
     """The outcome of a row, for the map."""
-    usable = row["outcome"] in ("stable", "retried", "finished")
-    if usable and row["error"] and row["error"] > study["wanted"] > 0.:
-        return "inaccurate"
-    return row["outcome"]
+    is_usable = row["outcome"] in ("stable", "retried", "finished")
+    return "inaccurate" if is_usable and row["error"] \
+        and row["error"] > study["wanted"] > 0. else row["outcome"]
 
 
 def letter_of(row, kind):
     """Text in a cell of the map: error, number of retries, letter."""
-    text = OUTCOMES[kind][1]
-    if row["outcome"] == "retried":
-        text = f"{row['retries']:.0f}"
+    text = f"{row['retries']:.0f}" if row["outcome"] == "retried" \
+        else OUTCOMES[kind][1]
     if row["error"]:
         text = f"{row['error']:.1e}".replace("e-0", "e-") + (
             f"\n({text})" if text else "")
@@ -42,52 +41,42 @@ def letter_of(row, kind):
 
 
 def draw_stability_map(study, folder):
-    across, upwards = study["factors"]
-    shown = [kind for kind in OUTCOMES
-             if any(judged(row, study) == kind for row in study["rows"])]
+    across, upwards = (factor["labels"] for factor in study["factors"])
     kinds = list(OUTCOMES)
-    cells = [[None] * len(across["labels"]) for _ in upwards["labels"]]
-    width = max(4., 0.55 * len(across["labels"]) + 1.5)
-    height = max(3., 0.38 * len(upwards["labels"]) + 1.2)
-    figure, axis = plt.subplots(figsize=(width + 3., height))
+    grid = np.full((len(upwards), len(across)), np.nan)
+    figure, axis = plt.subplots(figsize=(
+        max(4., 0.55 * len(across) + 1.5) + 3.,
+        max(3., 0.38 * len(upwards) + 1.2)))
     for row in study["rows"]:
-        i = across["labels"].index(row["labels"][0])
-        j = upwards["labels"].index(row["labels"][1])
+        i, j = across.index(row["labels"][0]), upwards.index(row["labels"][1])
         kind = judged(row, study)
-        cells[j][i] = kinds.index(kind)
+        grid[j, i] = kinds.index(kind)
         axis.annotate(letter_of(row, kind), (i, j), ha="center", va="center",
                       fontsize=7, color="white" if kind in
                       ("unstable", "failed", "stable", "finished")
                       else "black")
-    colours = ListedColormap([OUTCOMES[kind][0] for kind in kinds])
-    grid = [[float("nan") if cell is None else cell for cell in line]
-            for line in cells]
-    axis.imshow(grid, cmap=colours, vmin=-0.5, vmax=len(kinds) - 0.5,
-                aspect="auto")
-    crowded = (len(across["labels"]) > 8
-               or max(map(len, across["labels"])) > 10)
-    axis.set_xticks(range(len(across["labels"])), across["labels"],
+    axis.imshow(grid, vmin=-0.5, vmax=len(kinds) - 0.5, aspect="auto",
+                cmap=ListedColormap([OUTCOMES[kind][0] for kind in kinds]))
+    crowded = len(across) > 8 or max(map(len, across)) > 10
+    axis.set_xticks(range(len(across)), across,
                     rotation=45 if crowded else 0,
                     ha="right" if crowded else "center",
                     rotation_mode="anchor" if crowded else None)
-    axis.set_yticks(range(len(upwards["labels"])), upwards["labels"])
-    axis.set_xticks([i - 0.5 for i in range(len(across["labels"]))],
-                    minor=True)
-    axis.set_yticks([j - 0.5 for j in range(len(upwards["labels"]))],
-                    minor=True)
+    axis.set_yticks(range(len(upwards)), upwards)
+    axis.set_xticks(np.arange(len(across)) - 0.5, minor=True)
+    axis.set_yticks(np.arange(len(upwards)) - 0.5, minor=True)
     axis.grid(False)
     axis.grid(True, which="minor", color="white", linewidth=1.5)
     axis.tick_params(which="both", length=0)
-    axis.set_xlabel(across["name"])
-    axis.set_ylabel(upwards["name"])
     title = study["title"]
     if study["error"]:
         title += "\nin the cells: " + work_precision.error_label(study, 70)
-    axis.set_title(title)
-    words = {kind: OUTCOMES[kind][2] for kind in shown}
-    if "retried" in words:
-        words["retried"] += " (number)"
-    axis.legend(handles=[Patch(color=OUTCOMES[kind][0], label=text)
-                         for kind, text in words.items()],
+    xlabel, ylabel = (factor["name"] for factor in study["factors"])
+    axis.set(title=title, xlabel=xlabel, ylabel=ylabel)
+    seen = {judged(row, study) for row in study["rows"]}
+    axis.legend(handles=[Patch(color=colour, label=words + (
+        " (number)" if kind == "retried" else ""))
+                         for kind, (colour, _, words) in OUTCOMES.items()
+                         if kind in seen],
                 loc="upper left", bbox_to_anchor=(1.02, 1.), borderaxespad=0.)
     work_precision.save(figure, folder, "stability_map")

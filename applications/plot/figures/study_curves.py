@@ -7,6 +7,7 @@ import math
 
 import matplotlib.pyplot as plt
 import numpy as np
+from matplotlib.colors import LogNorm
 
 from plot.figures import style, work_precision
 
@@ -20,7 +21,7 @@ NOTHING = 1e-6
 def numbers(study, factor):
     """Values of a factor in all rows; None where one is no number."""
     values = [row["numbers"][factor] for row in study["rows"]]
-    return None if any(value is None for value in values) else values
+    return None if None in values else values
 
 
 def numeric_factors(study):
@@ -43,24 +44,10 @@ def value(row, column):
     return row["columns"][column] if row["columns"] else None
 
 
-def factor_label(factor):
-    return style.label(factor["name"], factor["unit"])
-
-
 def spans(values, ratio):
     """Whether positive numbers span more than this ratio, and none is NOTHING."""
     return min(values) > NOTHING * max(values) > 0. \
         and max(values) > ratio * min(values)
-
-
-def panels(count):
-    columns = min(count, MOST_COLUMNS)
-    rows = math.ceil(count / columns)
-    figure, axes = plt.subplots(rows, columns, squeeze=False,
-                                figsize=(4.2 * columns + 0.6, 3.3 * rows + 0.6))
-    for axis in axes.flat[count:]:
-        axis.set_visible(False)
-    return figure, list(axes.flat[:count])
 
 
 def title(study):
@@ -76,18 +63,34 @@ def title(study):
             "\nwithout a value: " + ", ".join(unknown) if unknown else "")
 
 
-def pictures(study, name, draw):
-    """Calls a function with the columns and the name of each picture: NAME,
-    then NAME_2 and so on."""
+def pictures(study, folder, name):
+    """The axes and the columns of each picture, NAME, then NAME_2 and so on, which
+    is saved before the next one."""
     for number, columns in enumerate(shown_columns(study), 1):
-        draw(columns, name if number == 1 else f"{name}_{number}")
+        across = min(len(columns), MOST_COLUMNS)
+        rows = math.ceil(len(columns) / across)
+        figure, axes = plt.subplots(
+            rows, across, squeeze=False,
+            figsize=(4.2 * across + 0.6, 3.3 * rows + 0.6))
+        for axis in axes.flat[len(columns):]:
+            axis.set_visible(False)
+        yield list(axes.flat[:len(columns)]), columns
+        figure.suptitle(title(study), x=0.01, ha="left")
+        work_precision.save(figure, folder,
+                            name if number == 1 else f"{name}_{number}")
 
 
-def label_x(axis, factor, values):
-    axis.set_xlabel(factor_label(factor))
-    if spans(values, LOGARITHMIC_X):
-        axis.set_xscale("log")
-        style.label_decades(axis.xaxis)
+def scale(axis, direction, values, ratio):
+    """Makes the "x" or "y" axis of values that span this ratio logarithmic."""
+    if spans(values, ratio):
+        axis.set(**{f"{direction}scale": "log"})
+        style.label_decades(getattr(axis, f"{direction}axis"))
+
+
+def label_factor(axis, direction, factor, values):
+    axis.set(**{f"{direction}label": style.label(factor["name"],
+                                                 factor["unit"])})
+    scale(axis, direction, values, LOGARITHMIC_X)
 
 
 def lines_by_label(study, across):
@@ -109,27 +112,20 @@ def draw_curves(study, folder):
     factors = numeric_factors(study)
     if not factors or not shown_columns(study):
         return False
-    pictures(study, "curves", lambda columns, name: _draw_curves_of(
-        study, factors[0], columns, folder, name))
-    return True
-
-
-def _draw_curves_of(study, across, columns, folder, name):
-    """One picture of draw_curves()."""
+    across = factors[0]
     lines = lines_by_label(study, across)
-    figure, axes = panels(len(columns))
-    for axis, column in zip(axes, columns):
-        draw_curve(axis, study, across, column, lines)
     others = ", ".join(factor["name"]
                        for number, factor in enumerate(study["factors"])
                        if number != across)
-    if others:
-        # Next to the last panel of the first row.
-        axes[min(len(axes), MOST_COLUMNS) - 1].legend(
-            title=others, loc="upper left", bbox_to_anchor=(1.02, 1.),
-            borderaxespad=0.)
-    figure.suptitle(title(study), x=0.01, ha="left")
-    work_precision.save(figure, folder, name)
+    for axes, columns in pictures(study, folder, "curves"):
+        for axis, column in zip(axes, columns):
+            draw_curve(axis, study, across, column, lines)
+        if others:
+            # Next to the last panel of the first row.
+            axes[min(len(axes), MOST_COLUMNS) - 1].legend(
+                title=others, loc="upper left", bbox_to_anchor=(1.02, 1.),
+                borderaxespad=0.)
+    return True
 
 
 def is_lower_limit(row, column):
@@ -149,22 +145,22 @@ def mark_lower_limit(axis, x, y, is_negative):
 def draw_curve(axis, study, across, column, lines):
     """An output over a factor; arrows away from zero where it is a lower
     limit."""
-    found = [value(row, column) for row in study["rows"]]
-    found = [number for number in found if number is not None]
-    scale, unit = style.scale_unit(study["columns"][column]["unit"] or "-",
-                                   max(map(abs, found)))
+    found = [number for row in study["rows"]
+             if (number := value(row, column)) is not None]
+    factor, unit = style.scale_unit(study["columns"][column]["unit"] or "-",
+                                    max(map(abs, found)))
     for number, (label, rows) in enumerate(lines.items()):
         axis.plot([row["numbers"][across] for row in rows],
                   [math.nan if value(row, column) is None
-                   else value(row, column) * scale for row in rows],
+                   else value(row, column) * factor for row in rows],
                   label=label, markersize=4,
                   color=style.COLOURS[number % len(style.COLOURS)],
                   marker=work_precision.MARKERS[
                       number % len(work_precision.MARKERS)])
-    limits = [row for row in study["rows"] if is_lower_limit(row, column)]
     arrows = {mark_lower_limit(axis, row["numbers"][across],
-                               value(row, column) * scale,
-                               value(row, column) < 0.) for row in limits}
+                               value(row, column) * factor,
+                               value(row, column) < 0.)
+              for row in study["rows"] if is_lower_limit(row, column)}
     notes = [f"{' '.join(sorted(arrows))} cut off by the end of the run"] \
         if arrows else []
     unknown = [row["numbers"][across] for row in study["rows"]
@@ -176,17 +172,11 @@ def draw_curve(axis, study, across, column, lines):
     axis.set_title("; ".join(notes), fontsize=8)
     reference = study["reference_columns"]
     if reference and reference[column] is not None:
-        axis.axhline(reference[column] * scale, color=style.GREY,
-                     linestyle="--", linewidth=0.8)
-        axis.annotate("reference run", (0.99, reference[column] * scale),
-                      (0, 3), xycoords=("axes fraction", "data"), ha="right",
-                      textcoords="offset points", fontsize=8,
-                      color=style.GREY)
-    label_x(axis, study["factors"][across], numbers(study, across))
+        work_precision.draw_level(axis, reference[column] * factor,
+                                  "reference run", 8, "--")
+    label_factor(axis, "x", study["factors"][across], numbers(study, across))
     axis.set_ylabel(style.label(study["columns"][column]["title"], unit))
-    if spans(found, LOGARITHMIC_Y):
-        axis.set_yscale("log")
-        style.label_decades(axis.yaxis)
+    scale(axis, "y", found, LOGARITHMIC_Y)
 
 
 def draw_chart(study, folder):
@@ -203,34 +193,25 @@ def draw_chart(study, folder):
     if len(x) * len(y) != len({tuple(row["numbers"])
                                for row in study["rows"]}):
         return False
-    pictures(study, "chart", lambda columns, name: _draw_chart_of(
-        study, (across, upwards), (x, y), columns, folder, name))
+    for axes, columns in pictures(study, folder, "chart"):
+        for axis, column in zip(axes, columns):
+            _draw_panel(axis, study, column, x, y)
+            label_factor(axis, "x", study["factors"][across], x)
+            label_factor(axis, "y", study["factors"][upwards], y)
     return True
 
 
-def _draw_chart_of(study, factors, places, columns, folder, name):
-    """One picture of draw_chart(), over both factors at these places."""
-    (across, upwards), (x, y) = factors, places
-    figure, axes = panels(len(columns))
-    for axis, column in zip(axes, columns):
-        grid = np.full((len(y), len(x)), np.nan)
-        for row in study["rows"]:
-            if value(row, column) is not None:
-                grid[y.index(row["numbers"][upwards]),
-                     x.index(row["numbers"][across])] = value(row, column)
-        draw_contours(figure, axis, study["columns"][column], x, y, grid)
-        for row in study["rows"]:
-            if is_lower_limit(row, column):
-                mark_lower_limit(axis, row["numbers"][across],
-                                 row["numbers"][upwards],
-                                 value(row, column) < 0.)
-        label_x(axis, study["factors"][across], x)
-        axis.set_ylabel(factor_label(study["factors"][upwards]))
-        if spans(y, LOGARITHMIC_X):
-            axis.set_yscale("log")
-            style.label_decades(axis.yaxis)
-    figure.suptitle(title(study), x=0.01, ha="left")
-    work_precision.save(figure, folder, name)
+def _draw_panel(axis, study, column, x, y):
+    """An output over both factors with numbers, which has these values."""
+    grid = np.full((len(y), len(x)), np.nan)
+    for row in study["rows"]:
+        if value(row, column) is not None:
+            across, upwards = row["numbers"]
+            grid[y.index(upwards), x.index(across)] = value(row, column)
+    draw_contours(axis, study["columns"][column], x, y, grid)
+    for row in study["rows"]:
+        if is_lower_limit(row, column):
+            mark_lower_limit(axis, *row["numbers"], value(row, column) < 0.)
 
 
 def levels_of(values):
@@ -247,32 +228,29 @@ def levels_of(values):
     return [level for level in levels if low < level < high]
 
 
-def draw_contours(figure, axis, column, x, y, grid):
+def draw_contours(axis, column, x, y, grid):
     """Map of an output with contours; the runs are dots, crosses where one has
     no value."""
     found = grid[np.isfinite(grid)]
-    scale, unit = style.scale_unit(column["unit"] or "-",
-                                   float(np.max(np.abs(found))))
-    values = np.ma.masked_invalid(grid * scale)
-    axis.set_title(style.label(column["title"], unit))
-    axis.set_facecolor("#cccccc")
+    factor, unit = style.scale_unit(column["unit"] or "-",
+                                    float(np.max(np.abs(found))))
+    values = np.ma.masked_invalid(grid * factor)
+    axis.set(title=style.label(column["title"], unit), facecolor="#cccccc")
     axis.grid(False)
-    levels = levels_of(found * scale)
+    levels = levels_of(found * factor)
     if levels and min(grid.shape) > 1:
-        logarithmic = spans(found, LOGARITHMIC_Y)
-        shades = np.geomspace if logarithmic else np.linspace
+        shades, norm = (np.geomspace, LogNorm()) \
+            if spans(found, LOGARITHMIC_Y) else (np.linspace, None)
         ends = shades(float(values.min()), float(values.max()), 24)
-        norm = plt.matplotlib.colors.LogNorm() if logarithmic else None
         axis.contourf(x, y, values, levels=ends, norm=norm,
                       cmap=style.SEQUENTIAL, alpha=0.6, extend="both")
         lines = axis.contour(x, y, values, levels=levels, colors="black",
                              linewidths=0.9)
         axis.clabel(lines, fmt=lambda level: f"{level:g}", fontsize=8)
-    for j, height in enumerate(y):
-        for i, place in enumerate(x):
-            known = np.isfinite(grid[j, i])
-            axis.plot(place, height, color="black", markersize=3,
-                      marker="o" if known else "x", clip_on=False)
-            if known and not levels:
-                axis.annotate(f"{values[j, i]:.3g}", (place, height),
-                              fontsize=8, ha="center", va="bottom")
+    for (j, i), number in np.ndenumerate(grid):
+        known = np.isfinite(number)
+        axis.plot(x[i], y[j], color="black", markersize=3,
+                  marker="o" if known else "x", clip_on=False)
+        if known and not levels:
+            axis.annotate(f"{values[j, i]:.3g}", (x[i], y[j]), fontsize=8,
+                          ha="center", va="bottom")

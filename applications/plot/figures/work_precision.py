@@ -32,6 +32,14 @@ def save(figure, folder, name):
     style.save(figure, os.path.join(folder, f"{name}.png"))
 
 
+def draw_level(axis, value, words, fontsize, linestyle="-"):
+    """A line across an axis with words at its right end."""
+    axis.axhline(value, color=style.GREY, linewidth=0.8, linestyle=linestyle)
+    axis.annotate(words, (0.99, value), (0, 3), ha="right", color=style.GREY,
+                  xycoords=("axes fraction", "data"),
+                  textcoords="offset points", fontsize=fontsize)
+
+
 class Key:
     """Which colour, marker and line a series has: the colour tells the first
     factor that refines nothing, marker and line tell the others."""
@@ -42,15 +50,11 @@ class Key:
                         if not factor["refines"]]
         self.names = [study["factors"][number]["name"]
                       for number in self.factors]
-        self.first, self.others = [], []
+        parts = [self.parts(row) for row in study["rows"] if row["error"]]
+        # Each once, in their order.
+        self.first, self.others = (list(dict.fromkeys(names)) for names in
+                                   (zip(*parts) if parts else ((), ())))
         self.recommended = study["recommended"] is not None
-        for row in study["rows"]:
-            if not row["error"]:
-                continue
-            for known, name in zip((self.first, self.others),
-                                   self.parts(row)):
-                if name not in known:
-                    known.append(name)
 
     def parts(self, row):
         labels = [row["labels"][number] for number in self.factors]
@@ -58,97 +62,80 @@ class Key:
 
     def style_of(self, row):
         first, other = self.parts(row)
-        number = self.others.index(other)
-        if not any(self.others):
-            number = self.first.index(first)
-        colour = style.COLOURS[self.first.index(first) % 7]
-        dashes = STYLES[self.others.index(other) % len(STYLES)]
-        return {"color": colour, "linestyle": dashes,
+        first, other = self.first.index(first), self.others.index(other)
+        number = other if any(self.others) else first
+        return {"color": style.COLOURS[first % 7],
+                "linestyle": STYLES[other % len(STYLES)],
                 "marker": MARKERS[number % len(MARKERS)]}
 
     def legend(self, axis, orders):
         handles = []
+
+        def add(label, **options):
+            handles.append(Line2D([], [], label=label,
+                                  **{"linestyle": "", **options}))
+
+        has_others = any(self.others)
         if any(self.first):
-            handles.append(Line2D([], [], linestyle="", label=self.names[0]))
+            add(self.names[0])
         for number, name in enumerate(self.first):
-            if not name:
-                continue
-            order = orders.get(name) if not any(self.others) else None
-            label = name + (f" (order {order:.2g})" if order else "")
-            marker = ("" if any(self.others)
-                      else MARKERS[number % len(MARKERS)])
-            handles.append(Line2D([], [], color=style.COLOURS[number % 7],
-                                  marker=marker, label=label))
-        if any(self.others):
-            handles.append(Line2D([], [], linestyle="", label=""))
-            handles.append(Line2D([], [], linestyle="",
-                                  label=", ".join(self.names[1:])))
+            order = None if has_others else orders.get(name)
+            if name:
+                add(name + (f" (order {order:.2g})" if order else ""),
+                    color=style.COLOURS[number % 7], linestyle="-",
+                    marker="" if has_others else MARKERS[number % len(MARKERS)])
+        if has_others:
+            add("")
+            add(", ".join(self.names[1:]))
             for number, name in enumerate(self.others):
-                handles.append(Line2D(
-                    [], [], color=style.GREY,
+                add(name or "–", color=style.GREY,
                     linestyle=STYLES[number % len(STYLES)],
-                    marker=MARKERS[number % len(MARKERS)],
-                    label=name or "–"))
-        handles.append(Line2D([], [], linestyle="", label=""))
-        handles.append(Line2D([], [], color="black", marker="o",
-                              markersize=11, markerfacecolor="none",
-                              linestyle="", label="no other is better\n"
-                              "in error and cost"))
+                    marker=MARKERS[number % len(MARKERS)])
+        add("")
+        add("no other is better\nin error and cost", color="black", marker="o",
+            markersize=11, markerfacecolor="none")
         if self.recommended:
-            handles.append(Line2D([], [], color="black", marker="*",
-                                  markersize=11, linestyle="",
-                                  label="recommended"))
+            add("recommended", color="black", marker="*", markersize=11)
         axis.legend(handles=handles, loc="upper left",
                     bbox_to_anchor=(1.02, 1.), borderaxespad=0.)
 
 
 def last_orders(study):
     """The order between the two finest meshes, by the first factor."""
-    orders = {}
-    for number, label in enumerate(study["series"]):
-        rows = [row for row in study["rows"]
-                if row["series"] == number and row["order"] is not None]
-        if rows:
-            orders[label] = min(rows, key=lambda row: row["width"])["order"]
-    return orders
+    rows = [row for row in reversed(study["rows"]) if row["order"] is not None]
+    # The finest one of a series comes last.
+    return {study["series"][row["series"]]: row["order"]
+            for row in sorted(rows, key=lambda row: -row["width"])}
 
 
 def draw_panel(axis, study, key, quantity, label):
-    for number in range(len(study["series"])):
-        rows = [row for row in study["rows"]
-                if row["series"] == number and row["error"]
-                and row[quantity]]
-        rows.sort(key=lambda row: (-row["width"] if row["width"] else 0.,
-                                   row[quantity]))
+    for number, _ in enumerate(study["series"]):
+        rows = sorted((row for row in study["rows"] if row["series"] == number
+                       and row["error"] and row[quantity]),
+                      key=lambda row: (-(row["width"] or 0.), row[quantity]))
         if rows:
             axis.plot([row[quantity] for row in rows],
                       [row["error"] for row in rows],
                       markersize=5, **key.style_of(rows[0]))
-    front = [row for row in study["rows"] if row["front"] and row["error"]]
     if quantity == "cost":
+        front = [row for row in study["rows"] if row["front"] and row["error"]]
         axis.plot([row["cost"] for row in front],
                   [row["error"] for row in front], linestyle="", marker="o",
                   markersize=11, markerfacecolor="none", color="black",
                   markeredgewidth=0.8)
     if study["wanted"]:
-        axis.axhline(study["wanted"], color=style.GREY, linewidth=0.8)
-        axis.annotate("wanted", (0.99, study["wanted"]), (0, 3),
-                      xycoords=("axes fraction", "data"), ha="right",
-                      textcoords="offset points", fontsize=9,
-                      color=style.GREY)
+        draw_level(axis, study["wanted"], "wanted", 9)
     if study["recommended"] is not None:
         row = study["rows"][study["recommended"]]
         axis.plot(row[quantity], row["error"], marker="*", markersize=11,
                   color="black")
-    axis.set_xscale("log")
-    axis.set_yscale("log")
+    axis.set(xscale="log", yscale="log", xlabel=label)
     # Costs that hardly differ would get labels with many digits.
     low, high = axis.get_xlim()
     if high < 4. * low:
         middle = (low * high) ** 0.5
         axis.set_xlim(0.25 * middle, 4. * middle)
     axis.grid(True, which="minor", linewidth=0.3)
-    axis.set_xlabel(label)
 
 
 def draw_work_precision(study, folder):
