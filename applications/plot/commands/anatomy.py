@@ -25,16 +25,15 @@ def main(output_folder):
     if not os.path.exists(path):
         raise files.BrokenInput(f"{output_folder} has no mesh.vtu; is it the "
                                 "output folder of anatomy?")
-    pictures = style.pictures_folder(output_folder)
     surface = os.path.join(output_folder, "surface.vtu")
     if os.path.exists(surface):
         anatomy_mesh.draw_outside(
-            vtk_file.read(surface), os.path.join(pictures, "body.png"),
+            vtk_file.read(surface), style.picture(output_folder, "body"),
             person.axes_by_entries(Stage(output_folder).parameters))
     names = {int(row["tissue"]): row["tissue name"]
              for row in read_table(os.path.join(output_folder, "parts.csv"))}
     anatomy_mesh.draw_cuts(vtk_file.read(path), names,
-                           os.path.join(pictures, "cuts.png"))
+                           style.picture(output_folder, "cuts"))
     anatomy_mesh.draw_quality(
         read_table(os.path.join(output_folder, "quality.csv")),
-        os.path.join(pictures, "quality.png"))
+        style.picture(output_folder, "quality"))

@@ -19,7 +19,7 @@ import os
 import numpy as np
 
 from plot.readers import radial
-from plot.figures import radial_profiles
+from plot.figures import profiles
 
 ROWS = 6  # of the table over time
 
@@ -33,38 +33,30 @@ def show(rows):
     print()
 
 
-def change(values):
-    """Largest relative change since the start."""
-    return float(np.max(np.abs(values / values[0] - 1.)))
-
-
 def tell_conservation(runs):
     show([["run", "mass, kg", "largest change of it", "energy, J",
            "largest change of it"]]
-         + [[run.label, f"{run.mass()[0]:.6g}", f"{change(run.mass()):.1e}",
-             f"{run.energy()[0]:.6g}", f"{change(run.energy()):.1e}"]
-            for run in runs])
+         + [[run.label, *(text for values in (run.history["mass"], run.energy())
+                          for text in (
+            f"{values[0]:.6g}",
+            f"{np.max(np.abs(values / values[0] - 1.)):.1e}"))] for run in runs])
 
 
 def tell_history(runs):
     """Mass and energy over those at the start, less one, and the share of the
     energy that is kinetic, at some times."""
     end = min(run.history["time"][-1] for run in runs)
-    head = ["time, s"]
+    times = np.linspace(0., end, ROWS)
+    rows = [["time, s"], *([f"{time:.3g}"] for time in times)]
     for run in runs:
-        head += [f"{run.label}: change of mass", "of energy",
-                 "kinetic share, %"]
-    rows = [head]
-    for time in np.linspace(0., end, ROWS):
-        row = [f"{time:.3g}"]
-        for run in runs:
-            i = int(np.argmin(np.abs(run.history["time"] - time)))
-            mass, energy = run.mass(), run.energy()
-            kinetic = run.history["kinetic_energy"]
+        rows[0] += [f"{run.label}: change of mass", "of energy",
+                    "kinetic share, %"]
+        mass, energy = run.history["mass"], run.energy()
+        for row, time in zip(rows[1:], times):
+            i = np.argmin(np.abs(run.history["time"] - time))
             row += [f"{mass[i] / mass[0] - 1.:+.1e}",
                     f"{energy[i] / energy[0] - 1.:+.1e}",
-                    f"{100. * kinetic[i] / energy[i]:.2f}"]
-        rows.append(row)
+                    f"{100. * run.history['kinetic_energy'][i] / energy[i]:.2f}"]
     show(rows)
 
 
@@ -95,4 +87,4 @@ def main(picture, radius: float, result, *more_results):
         tell_conservation(with_history)
         tell_history(with_history)
     tell_shocks(runs, radius)
-    radial_profiles.draw(runs, picture)
+    profiles.draw_radial(runs, picture)

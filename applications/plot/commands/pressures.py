@@ -8,8 +8,6 @@ pressure, if there is one. Prints both side by side and writes
 pictures/pressures.png, with cuts through the body at y = 0.
 """
 
-import os
-
 from plot.readers import files, tables
 from plot.figures import body_cuts, style
 
@@ -27,6 +25,5 @@ def main(output_folder, name, *more_names):
     for name, values in pressures.items():
         print(f"{name:16} {1e-3 * values.max():8.0f} "
               f"{1e-3 * values.min():8.0f} {references.get(name, ''):>9}")
-    body_cuts.draw_probes(
-        output_folder, time, pressures, references,
-        os.path.join(style.pictures_folder(output_folder), "pressures.png"))
+    body_cuts.draw_probes(output_folder, time, pressures, references,
+                          style.picture(output_folder, "pressures"))

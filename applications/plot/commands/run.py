@@ -9,12 +9,13 @@ lines of gauges, loads on a body from four sides and at its named places, and pr
 one-dimensional runs.
 """
 
-import os
+import functools
 
 from plot.analysis import wave_times
-from plot.readers import files, planes, profiles, tables
+from plot.readers import files, planes, tables
+from plot.readers.profiles import open_profiles
 from plot.figures import (blast_maps, body_loads, histories, injury_maps,
-                          line_profiles, plane_cuts, style)
+                          plane_cuts, profiles, style)
 
 
 def main(output_folder):
@@ -23,25 +24,23 @@ def main(output_folder):
         raise files.BrokenInput(f"{output_folder} has no history.csv; is it "
                                 "the output folder of a run?")
     pictures = style.pictures_folder(output_folder)
-    histories.draw_history(history, os.path.join(pictures, "history.png"))
+    path = functools.partial(style.picture, output_folder)
+    histories.draw_history(history, path("history"))
     probes = tables.open_table(output_folder, "probes.csv")
     if probes is not None:
         histories.draw_probes(probes, tables.open_references(output_folder),
-                              os.path.join(pictures, "probes.png"))
+                              path("probes"))
     found = planes.open_planes(output_folder)
     for name, group in sorted(blast_maps.take_maps(found).items()):
-        blast_maps.draw_maps(group, os.path.join(pictures, name + "_maps.png"))
+        blast_maps.draw_maps(group, path(f"{name}_maps"))
         if injury_maps.are_in(group):
-            injury_maps.draw(group,
-                             os.path.join(pictures, name + "_injury.png"))
+            injury_maps.draw(group, path(f"{name}_injury"))
     blast_maps.draw_gauge_lines(output_folder, pictures)
     for name, cuts in sorted(found.items()):
-        stem = os.path.join(pictures, name)
         cuts = wave_times.planes_to_draw(cuts)
-        plane_cuts.draw_planes(cuts, stem + ".png")
-        plane_cuts.draw_lines(cuts, stem + "_lowest.png")
+        plane_cuts.draw_planes(cuts, path(name))
+        plane_cuts.draw_lines(cuts, path(f"{name}_lowest"))
     body_loads.draw(output_folder, pictures)
-    lines = profiles.open_profiles(output_folder)
+    lines = open_profiles(output_folder)
     if lines:
-        line_profiles.draw_profiles(lines,
-                                    os.path.join(pictures, "profiles.png"))
+        profiles.draw_profiles(lines, path("profiles"))

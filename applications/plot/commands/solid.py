@@ -27,9 +27,8 @@ def main(output_folder, y: float = BESIDE):
     with files.reading(os.path.join(output_folder, "fields.pvd")):
         panels = fields.cut_fields(
             wave_times.fields_to_draw(output_folder), place, axes)
-    pictures = style.pictures_folder(output_folder)
     for name, head_only in (("sagittal", False), ("sagittal_head", True)):
         body_cuts.draw_pressures(panels, head_only,
-                                 os.path.join(pictures, name + ".png"))
+                                 style.picture(output_folder, name))
     body_cuts.draw_energies(output_folder,
-                            os.path.join(pictures, "energies.png"))
+                            style.picture(output_folder, "energies"))

@@ -17,8 +17,6 @@ of reflection, no longer is supersonic, so that what happens above the ground
 can reach that point. Two-shock theory has its limit a tenth of a degree on.
 """
 
-import os
-
 from plot.readers.files import BrokenInput
 from plot.analysis import triple_point
 from plot.figures import mach_stem, style
@@ -38,5 +36,5 @@ def main(output_folder, height: float):
         raise BrokenInput(
             f"{output_folder} has neither a Mach stem in its pressure planes "
             "(Pictures/Planes = all) nor six probes on the ground")
-    mach_stem.draw(path, reflection, limit, height, os.path.join(
-        style.pictures_folder(output_folder), "triple_point.png"))
+    mach_stem.draw(path, reflection, limit, height,
+                   style.picture(output_folder, "triple_point"))

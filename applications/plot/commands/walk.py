@@ -10,8 +10,6 @@ source/README.md: walk_step.png, walk_adaptation.png, walk_cut_cells.png and
 walk_load.png.
 """
 
-import os
-
 import numpy as np
 
 from plot.readers import files, leaves
@@ -40,8 +38,7 @@ class Line:
             after.density))
         change = (later - density) * sizes / (after.time - before.time)
         flux = np.append(np.cumsum(change[::-1])[::-1], 0.)
-        front = int(np.argmax(np.abs(np.diff(pressure))))
-        first = front // self.n * self.n
+        first = int(np.argmax(np.abs(np.diff(pressure)))) // self.n * self.n
         around = slice(first - 2, first + self.n + 2)
         self.edge = sizes[first]
         if len(sizes[around]) < self.n + 4 \
@@ -70,8 +67,8 @@ class Load:
         for state in states:
             edge = state.edges.min() / state.n
             offsets = state.centres() - self.place
-            distance = np.linalg.norm(offsets, axis=-1)
-            aside = np.where((distance < edge) & (state.open > 0.),
+            aside = np.where((np.linalg.norm(offsets, axis=-1) < edge)
+                             & (state.open > 0.),
                              np.abs(offsets @ along), np.inf)
             at = np.unravel_index(np.argmin(aside), aside.shape)
             self.centre = state.centres()[at]
@@ -83,16 +80,12 @@ class Load:
 def pick_adaptation(states):
     """The output after the adaptation that both halved and merged most leaves:
     the lesser of the two numbers counts."""
-    best, chosen = 0, None
-    for number in range(1, len(states)):
-        halved, merged = walk.changed_leaves(states[number - 1],
-                                             states[number])
-        if min(len(halved), len(merged)) > best:
-            best, chosen = min(len(halved), len(merged)), number
-    if chosen is None:
+    counts = [min(map(len, walk.changed_leaves(*pair)))
+              for pair in zip(states, states[1:])]
+    if not any(counts):
         raise files.BrokenInput("no adaptation both halves and merges leaves; "
                                 "are there fields of every step?")
-    return chosen
+    return 1 + int(np.argmax(counts))
 
 
 def pick_step(states, time):
@@ -111,10 +104,9 @@ def main(output_folder):
     with files.reading(run.path("loads.h5")):
         loads = Loads(run.path("loads.h5"))
         load = Load(states, loads)
-    pictures = style.pictures_folder(output_folder)
 
     def path(name):
-        return os.path.join(pictures, f"walk_{name}.png")
+        return style.picture(output_folder, f"walk_{name}")
 
     number = pick_step(states, 0.5 * load.arrival)
     walk.draw_step(Line(states[number], states[number + 1]), path("step"))

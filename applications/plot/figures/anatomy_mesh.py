@@ -9,7 +9,7 @@ from matplotlib.patches import Patch
 
 from plot.readers import fields
 from plot.figures import style
-from plot.figures.body_views import NAMELESS
+from plot.figures.body_views import NAMELESS, VIEWS
 
 # By the numbers of tissues: none, soft tissue, skin, skeleton, brain, spinal
 # cord, cerebrospinal fluid, lung, heart, liver, water, gelatin, polycarbonate.
@@ -18,27 +18,21 @@ TISSUE_COLOURS = ["#ffffff", "#e8b9a0", "#c98d70", "#f2ecd9", "#d98cb3",
                   "#5aa9e6", "#f4d58d", "#9aa5b1"]
 # Colours of the user's new tissues, which have the numbers from there on.
 NEW_COLOURS = ["#3d8b37", "#c44e9c", "#e07b00", "#46537a", "#a3b830"]
-# Name of a view, axes to the right and up with signs, and the axis of depth
-# with the sign that points to the eye.
-VIEWS = [("front", (1, 1), (2, 1), (0, 1)),
-         ("left side", (0, -1), (2, 1), (1, 1)),
-         ("back", (1, -1), (2, 1), (0, -1))]
+SIDES = ("front", "left side", "back")
 
 
 def render(mesh, view, pixels=700):
     """Brightness of the nearest facet in each pixel, and the extent."""
     _, (right, right_sign), (up, up_sign), (depth, depth_sign) = view
     corners = mesh["points"][mesh["connectivity"].reshape(-1, 4)]
-    low = mesh["points"].min(axis=0)
-    high = mesh["points"].max(axis=0)
-    height = high[up] - low[up]
-    width = high[right] - low[right]
+    low, high = mesh["points"].min(axis=0), mesh["points"].max(axis=0)
+    height, width = high[up] - low[up], high[right] - low[right]
     size = max(height, width) / pixels
     shape = (int(height / size) + 2, int(width / size) + 2)
     normals = mesh["normal"].reshape(-1, 3)
     light = np.zeros(3)
-    light[depth], light[up], light[right] = (
-        0.75 * depth_sign, 0.5 * up_sign, -0.43 * right_sign)
+    light[[depth, up, right]] = (0.75 * depth_sign, 0.5 * up_sign,
+                                 -0.43 * right_sign)
     bright = 0.25 + 0.75 * np.clip(normals @ light, 0., 1.)
     nearest = np.full(shape, -np.inf)
     picture = np.full(shape, np.nan)
@@ -58,24 +52,24 @@ def render(mesh, view, pixels=700):
             row, column, away = row[order], column[order], away[order]
             # The last of several facets in one pixel is the nearest.
             closer = away > nearest[row, column]
-            row, column, away = row[closer], column[closer], away[closer]
-            picture[row, column] = bright[order][closer]
-            nearest[row, column] = away
+            place = row[closer], column[closer]
+            picture[place] = bright[order][closer]
+            nearest[place] = away[closer]
     return picture, (0., shape[1] * size, 0., shape[0] * size)
 
 
 def draw_outside(mesh, path, axes=None):
     """The body from three sides, those of a person whose front, left side and
     top point along axes, which are rows."""
-    names = NAMELESS if axes is None else [view[0] for view in VIEWS]
+    names = NAMELESS if axes is None else SIDES
     if axes is not None:
         mesh = {**mesh, **{name: mesh[name].reshape(-1, 3) @ axes.T
                            for name in ("points", "normal")}}
-    pictures = [render(mesh, view) for view in VIEWS]
+    pictures = [render(mesh, view) for view, _ in zip(VIEWS, SIDES)]
     widths = [extent[1] for _, extent in pictures]
     height = max(extent[3] for _, extent in pictures)
     figure, panels = plt.subplots(
-        1, len(VIEWS), gridspec_kw={"width_ratios": widths},
+        1, len(SIDES), gridspec_kw={"width_ratios": widths},
         figsize=(min(10., 4.8 * sum(widths) / height + 1.5), 5.2))
     for axis, name, (picture, extent) in zip(panels, names, pictures):
         axis.imshow(picture, cmap="copper", vmin=-0.2, vmax=1.1,
@@ -98,9 +92,8 @@ def draw_cut(axis, mesh, normal, place):
     if axis.dataLim.width < 0.6 * axis.dataLim.height:
         axis.tick_params(axis="x", labelrotation=90)  # side by side too wide
     axis.grid(False)
-    axis.set_xlabel(f"{'xyz'[others[0]]} [m]")
-    axis.set_ylabel(f"{'xyz'[others[1]]} [m]")
-    axis.set_title(f"{'xyz'[normal]} = {place:.3f} m")
+    axis.set(xlabel=f"{'xyz'[others[0]]} [m]", ylabel=f"{'xyz'[others[1]]} [m]",
+             title=f"{'xyz'[normal]} = {place:.3f} m")
     return set(tissues)
 
 
@@ -112,20 +105,18 @@ def colour_of(tissue):
 
 
 def draw_cuts(mesh, names, path):
-    low = mesh["points"].min(axis=0)
-    high = mesh["points"].max(axis=0)
+    low, high = mesh["points"].min(axis=0), mesh["points"].max(axis=0)
     size = high - low
     # Just next to the planes of symmetry, where no element has its faces.
     middle = 0.5 * (low + high) + 1e-4 * size
-    tall = size[2] > 2. * size[1]
     cuts = [(1, middle[1]), (0, middle[0]), (2, middle[2])]
-    if tall:
+    if size[2] > 2. * size[1]:
         cuts = [(1, 1e-4), (0, -0.02), (2, low[2] + 0.955 * size[2]),
                 (2, low[2] + 0.72 * size[2])]
         figure = plt.figure(figsize=(10., 6.3))
         grid = figure.add_gridspec(2, 4, width_ratios=[1., 1.2, 1.2, 0.5])
-        axes = [figure.add_subplot(grid[:, 0]), figure.add_subplot(grid[:, 1]),
-                figure.add_subplot(grid[0, 2]), figure.add_subplot(grid[1, 2])]
+        axes = [figure.add_subplot(place) for place in (
+            grid[:, 0], grid[:, 1], grid[0, 2], grid[1, 2])]
     else:
         figure, axes = plt.subplots(1, 4, figsize=(10., 3.6))
         axes[3].set_axis_off()
@@ -142,19 +133,17 @@ def draw_cuts(mesh, names, path):
 def draw_quality(rows, path):
     rows = [row for row in rows if row["kind"] == "part"]
     names = [row["name"] for row in rows]
-    columns = [("volume [m^3]", 1e3, "volume [litre]", True),
+    columns = [("volume [m^3]", 1e3, "volume [litre]", "log"),
                ("smallest scaled Jacobian", 1., "smallest scaled Jacobian",
-                False),
-               ("time step [s]", 1e6, "time step [µs]", True)]
+                "linear"),
+               ("time step [s]", 1e6, "time step [µs]", "log")]
     figure, axes = plt.subplots(1, 3, sharey=True,
                                 figsize=(11., 0.3 * len(rows) + 1.5))
-    for axis, (key, factor, label, logarithmic), colour in zip(
-            axes, columns, style.COLOURS):
+    for axis, (key, factor, label, scale), colour in zip(axes, columns,
+                                                         style.COLOURS):
         values = [factor * float(row[key]) for row in rows]
         axis.barh(names, values, color=colour)
-        axis.set_xlabel(label)
-        if logarithmic:
-            axis.set_xscale("log")
+        axis.set(xlabel=label, xscale=scale)
         for place, value in enumerate(values):
             axis.annotate(f" {value:.3g}", (value, place), va="center",
                           fontsize=8)

@@ -38,13 +38,12 @@ def draw_maps(maps, path):
     """A panel for each quantity; grey where the blast has not arrived, hatched
     where they are lower limits."""
     names = [name for name in QUANTITIES if name in maps]
-    first = maps[names[0]]
-    figure, axes = four_panels(first)
+    figure, axes = four_panels(maps[names[0]])
     for axis in axes.flat[len(names):]:
         axis.set_axis_off()
     arrived = maps["arrival"].values > 0. if "arrival" in maps else None
     for axis, name in zip(axes.flat, names):
-        _draw_panel(figure, axis, maps[name], arrived)
+        _draw_panel(axis, maps[name], arrived)
         if name in OF_PHASE and LIMITS in maps:
             hatch_limits(axis, maps[LIMITS])
     style.save(figure, path)
@@ -82,12 +81,18 @@ def four_panels(plane):
     return figure, axes
 
 
-def _draw_panel(figure, axis, plane, arrived):
-    values = np.array(plane.values)
-    if arrived is not None:
-        values[~arrived] = np.nan
-    axis.set_facecolor("#cccccc")
-    axis.set_title(plane.quantity.replace("_", " "))
+def paint(axis, plane, values, unit, norm):
+    """Values of a plane in colours; returns their bar."""
+    image = axis.imshow(values, extent=plane.extent(), norm=norm,
+                        cmap=style.SEQUENTIAL, interpolation="nearest")
+    return style.colour_bar(axis.figure, image, unit, ax=axis, pad=0.02,
+                            fraction=0.05, extend=style.beyond(values, norm))
+
+
+def _draw_panel(axis, plane, arrived):
+    values = plane.values if arrived is None else np.where(
+        arrived, plane.values, np.nan)
+    axis.set(facecolor="#cccccc", title=plane.quantity.replace("_", " "))
     axis.grid(False)
     if not np.any(np.isfinite(values)):
         style.say_nothing(axis, "the blast has not arrived")
@@ -103,30 +108,21 @@ def _draw_panel(figure, axis, plane, arrived):
         low = max(low, high / 200.)
     if not high > low:
         high = low + 1.
-    image = axis.imshow(values * factor, extent=plane.extent(),
-                        norm=(LogNorm if spread else Normalize)(low, high),
-                        cmap=style.SEQUENTIAL, interpolation="nearest")
+    bar = paint(axis, plane, values * factor, unit,
+                (LogNorm if spread else Normalize)(low, high))
     _draw_contours(axis, plane, values * factor, low, high, spread)
-    bar = figure.colorbar(image, ax=axis, pad=0.02, fraction=0.05,
-                          extend=style.beyond(values * factor, image.norm))
-    bar.set_label(unit, fontsize=9)
     if spread:
         style.label_decades(bar.ax.yaxis)
-    bar.outline.set_visible(False)
 
 
 def _draw_contours(axis, plane, values, low, high, spread):
-    if spread:
-        levels = [m * 10. ** e for e in range(-3, 9) for m in (1., 2., 5.)]
-    else:
-        levels = MaxNLocator(7).tick_values(low, high)
+    levels = [m * 10. ** e for e in range(-3, 9) for m in (1., 2., 5.)] \
+        if spread else MaxNLocator(7).tick_values(low, high)
     levels = [level for level in levels if low < level < high]
     if not levels or plane.quantity == "duration":
         return
-    x = np.linspace(plane.lower[0], plane.upper[0], values.shape[1])
-    y = np.linspace(plane.lower[1], plane.upper[1], values.shape[0])
-    lines = axis.contour(x, y, values, levels, colors="white",
-                         linewidths=0.6, alpha=0.8)
+    lines = axis.contour(plane.positions(), plane.positions(1), values, levels,
+                         colors="white", linewidths=0.6, alpha=0.8)
     axis.clabel(lines, fontsize=7, fmt="%g")
 
 
@@ -135,9 +131,8 @@ def draw_gauge_lines(folder, pictures):
     from its beginning; lower limits are marks apart from the curve."""
     for path in sorted(glob.glob(os.path.join(folder, "fields",
                                               "gauges_line_*.csv"))):
-        name = os.path.basename(path)[:-len(".csv")]
-        _draw_gauge_line(tables.Table(path),
-                         os.path.join(pictures, name + ".png"))
+        _draw_gauge_line(tables.Table(path), os.path.join(
+            pictures, os.path.basename(path).replace(".csv", ".png")))
 
 
 def _draw_gauge_line(table, path):
@@ -163,9 +158,8 @@ def _draw_gauge_line(table, path):
         axis.set_ylabel(unit)
         if name == "peak_overpressure" and np.nanmin(values) > 0.:
             axis.set_yscale("log")
-    begin = ", ".join(f"{x:g}" for x in places[:, 0])
-    end = ", ".join(f"{x:g}" for x in places[:, -1])
     for axis in axes[-1, :]:
         axis.set_xlabel("along the line [m]")
+    begin, end = (", ".join(f"{x:g}" for x in places[:, i]) for i in (0, -1))
     figure.suptitle(f"Gauges from ({begin}) to ({end}) m", x=0.01, ha="left")
     style.save(figure, path)

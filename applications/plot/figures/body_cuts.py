@@ -2,7 +2,6 @@
 # Copyright (C) 2026 by the Contrecoup authors
 """Pictures of pressure in cuts through a body, with its energies and probes."""
 
-import csv
 import os
 
 import matplotlib.pyplot as plt
@@ -10,7 +9,7 @@ import numpy as np
 from matplotlib.collections import PolyCollection
 
 from plot.analysis import wave_times
-from plot.readers import fields, vtk_file
+from plot.readers import fields, tables
 from plot.figures import style
 
 
@@ -21,9 +20,8 @@ def limits(shapes, head_only):
     """Limits of polygons, or of their upper part: left and right, bottom and
     top."""
     points = np.concatenate([shape.reshape(-1, 2) for shape in shapes])
-    top = points[:, 1].max()
-    low = max(points[:, 1].min(), top - HEAD) if head_only \
-        else points[:, 1].min()
+    low, top = points[:, 1].min(), points[:, 1].max()
+    low = max(low, top - HEAD) if head_only else low
     across = points[points[:, 1] >= low, 0]
     return (across.min() - 0.01, across.max() + 0.01), (low, top + 0.01)
 
@@ -44,34 +42,30 @@ def draw_pressures(panels, head_only, path):
     for axis in axes.flat:
         axis.set_axis_off()
     for axis, (time, shape, values) in zip(axes.flat, panels):
-        axis.add_collection(PolyCollection(
-            shape, array=values * factor, cmap=style.DIVERGING, norm=norm,
-            edgecolors="face", linewidths=0.1))
-        axis.set_aspect("equal")
-        axis.set_xlim(across)
-        axis.set_ylim(low, top)
-        axis.set_title(f"{1e3 * time:.2f} ms")
+        _add_cut(axis, shape, values * factor, norm)
+        axis.set(aspect="equal", xlim=across, ylim=(low, top),
+                 title=f"{1e3 * time:.2f} ms")
     figure.colorbar(axes[0, 0].collections[0], ax=axes, shrink=0.7,
                     extend=style.beyond(factor * np.concatenate(shown), norm),
                     label=f"pressure [{unit}]")
     style.save(figure, path)
 
 
+def _add_cut(axis, polygons, values, norm):
+    axis.add_collection(PolyCollection(
+        polygons, array=values, cmap=style.DIVERGING, norm=norm,
+        edgecolors="face", linewidths=0.1))
+
+
 def draw_energies(folder, path):
-    with open(os.path.join(folder, "history.csv"), newline="",
-              encoding="utf-8") as file:
-        rows = list(csv.reader(file))
-    names = [name.split(" [")[0] for name in rows[0]]
-    table = np.array(rows[1:], dtype=float)
-    time = 1e3 * table[:, names.index("time")]
+    table = tables.Table(os.path.join(folder, "history.csv"))
     figure, axis = plt.subplots(figsize=(7., 4.))
     for name in ("external_work", "kinetic_energy", "stored_energy",
                  "hourglass_energy", "bulk_viscosity_energy",
                  "relaxation_energy", "energy_residual"):
-        axis.plot(time, table[:, names.index(name)],
+        axis.plot(1e3 * table["time"], table[name],
                   label=name.replace("_", " "))
-    axis.set_xlabel("time [ms]")
-    axis.set_ylabel("energy [J]")
+    axis.set(xlabel="time [ms]", ylabel="energy [J]")
     axis.legend()
     style.save(figure, path)
 
@@ -89,24 +83,18 @@ def draw_probes(folder, time, pressures, references, path):
         if name in references:
             axis.axhline(references[name], color=line.get_color(),
                          linewidth=0.8, linestyle="--")
-    axis.set_xlabel("time [ms]")
-    axis.set_ylabel("pressure [kPa]")
+    axis.set(xlabel="time [ms]", ylabel="pressure [kPa]")
     axis.legend(ncol=3)
     norm = style.about_zero(0.8e-3 * max(np.abs(values).max()
                                          for values in pressures.values()))
     drawn = []
     for number, (when, pieces) in enumerate(outputs):
-        part = figure.add_subplot(grid[1, number])
+        part = figure.add_subplot(grid[1, number], aspect="equal",
+                                  title=f"{1e3 * when:.2f} ms")
         part.set_axis_off()
-        part.set_title(f"{1e3 * when:.2f} ms")
-        for piece in pieces:
-            mesh = vtk_file.read(piece)
-            shape, found = fields.cut(mesh, 1e-4)
-            drawn.append(1e-3 * mesh["pressure"][found])
-            part.add_collection(PolyCollection(
-                shape, array=drawn[-1], norm=norm,
-                cmap=style.DIVERGING, edgecolors="face", linewidths=0.1))
-        part.set_aspect("equal")
+        shape, values = fields.cut_values(pieces, 1e-4, "pressure")
+        drawn.append(1e-3 * values)
+        _add_cut(part, shape, drawn[-1], norm)
         part.autoscale_view()
     if outputs:
         figure.colorbar(part.collections[0], ax=figure.axes[1:],

@@ -30,17 +30,17 @@ def draw(folder, pictures):
         draw_times(loads, views, os.path.join(pictures, "body_pressure.png"))
         draw_measures(loads, views, os.path.join(pictures, "body_maps.png"))
     gauges = tables.open_table(folder, "load_gauges.csv")
-    if gauges is not None:
-        draw_gauges(gauges, loads, views,
-                    os.path.join(pictures, "body_gauges.png"))
+    if gauges and gauges.others("time") and len(gauges["time"]) >= 3:
+        style.save(gauges_figure(gauges, loads, views),
+                   os.path.join(pictures, "body_gauges.png"))
 
 
 def pick_times(loads):
     """Times from when the front meets the body until it has passed it, denser
     at the beginning."""
     first, last = np.nanpercentile(loads.measure("arrival"), [2., 98.])
-    parts = np.linspace(0.15, 1., MOST_TIMES) ** 1.5
-    times = first + 1.6 * (last - first) * parts
+    times = first + 1.6 * (last - first) \
+        * np.linspace(0.15, 1., MOST_TIMES) ** 1.5
     return np.unique(np.minimum(times, loads.times[-1]))
 
 
@@ -49,8 +49,7 @@ def draw_times(loads, views, path, one_scale=False):
     with one."""
     times = pick_times(loads)
     columns = min(3, len(times))
-    rows = -(-len(times) // columns)
-    figure, axes = _panels(views, rows, columns)
+    figure, axes = _panels(views, -(-len(times) // columns), columns)
     shown = [loads.overpressure(time) for time in times]
     # Corners, as between foot and ground, are off the scale that matters.
     spans = np.array([np.percentile(values, [0.2, 99.5]) for values in shown])
@@ -59,13 +58,12 @@ def draw_times(loads, views, path, one_scale=False):
     for number, (axis, time, values, (low, high)) in enumerate(
             zip(axes, times, shown, spans), 1):
         factor, unit = style.scale_unit("Pa", max(-low, high))
-        low, high = low * factor, high * factor
-        _draw_body(figure, axis, views, values * factor,
-                   *style.signed_scale(low, high), unit,
-                   None if not one_scale else
-                   # One scale of all stands at the end of each row.
-                   [one * factor for one in shown]
-                   if number % columns == 0 or number == len(times) else [])
+        # One scale of all stands at the end of each row.
+        barred = [values] if not one_scale else shown \
+            if number % columns == 0 or number == len(times) else []
+        _draw_body(axis, views, values * factor,
+                   *style.signed_scale(low * factor, high * factor), unit,
+                   [one * factor for one in barred])
         time_factor, time_unit = style.scale_unit("s", times[-1])
         axis.set_title(f"{time * time_factor:.3g} {time_unit}")
     figure.suptitle("Overpressure on the body", x=0.01, ha="left")
@@ -73,22 +71,21 @@ def draw_times(loads, views, path, one_scale=False):
 
 
 def draw_measures(loads, views, path):
-    names = [name for name in ("peak", "impulse", "arrival") if name in loads]
-    figure, axes = _panels(views, 1, len(names))
-    titles = {"peak": "peak overpressure", "impulse": "positive impulse",
-              "arrival": "arrival"}
-    units = {"peak": "Pa", "impulse": "Pa s", "arrival": "s"}
-    for axis, name in zip(axes, names):
+    known = [one for one in (("peak", "peak overpressure", "Pa"),
+                             ("impulse", "positive impulse", "Pa s"),
+                             ("arrival", "arrival", "s")) if one[0] in loads]
+    figure, axes = _panels(views, 1, len(known))
+    for axis, (name, title, unit) in zip(axes, known):
+        axis.set_title(title)
         values = loads.measure(name)
-        axis.set_title(titles[name])
         low, high = np.nanpercentile(values, [1., 99.5])
-        factor, unit = style.scale_unit(units[name], high)
-        low, high = low * factor, high * factor
+        factor, unit = style.scale_unit(unit, high)
+        low, high, values = low * factor, high * factor, values * factor
         is_wide = name != "arrival" and high > 5. * low > 0.
         norm = (LogNorm if is_wide else Normalize)(
             low, high if high > low else low + 1.)
-        _draw_body(figure, axis, views, values * factor, norm,
-                   plt.get_cmap(style.SEQUENTIAL), unit)
+        _draw_body(axis, views, values, norm, plt.get_cmap(style.SEQUENTIAL),
+                   unit, [values])
     style.save(figure, path)
 
 
@@ -132,8 +129,8 @@ def verdict_figure(loads, views, marks):
         axis.imshow(views.paint_side(side, values * factor, norm,
                                      plt.get_cmap(style.SEQUENTIAL)),
                     extent=(0., width, 0., height))
-        axis.set_xlim(0.5 * (width - widest), 0.5 * (width + widest))
-        axis.set_ylim(0.5 * (height - highest), 0.5 * (height + highest))
+        axis.set(xlim=(0.5 * (width - widest), 0.5 * (width + widest)),
+                 ylim=(0.5 * (height - highest), 0.5 * (height + highest)))
         axis.set_title(views.names()[side], fontsize=10)
         level = np.inf
         for mark, _, spot in sorted(
@@ -150,12 +147,10 @@ def verdict_figure(loads, views, marks):
                 color=mark.colour, va="center", weight="bold",
                 arrowprops={"arrowstyle": "-", "linewidth": 0.6,
                             "color": mark.colour})
-    bar = figure.colorbar(plt.cm.ScalarMappable(norm, style.SEQUENTIAL),
-                          ax=axes, location="bottom", shrink=0.8, aspect=30,
-                          extend=style.beyond(views.means(values) * factor,
-                                              norm))
-    bar.set_label(f"peak overpressure [{unit}]", fontsize=9)
-    bar.outline.set_visible(False)
+    style.colour_bar(
+        figure, plt.cm.ScalarMappable(norm, style.SEQUENTIAL),
+        f"peak overpressure [{unit}]", ax=axes, location="bottom", shrink=0.8,
+        aspect=30, extend=style.beyond(views.means(values) * factor, norm))
     return figure
 
 
@@ -172,41 +167,29 @@ def _panels(views, rows, columns):
     return figure, list(axes.flat)
 
 
-def _draw_body(figure, axis, views, values, norm, colours, unit, bar_of=None):
+def _draw_body(axis, views, values, norm, colours, unit, barred):
     """The body from all sides, in the colours of values of its facets. @p
-    bar_of: values of all pictures that share the bar, none without a bar."""
-    picture = views.paint(values, norm, colours)
+    barred: values of all pictures that share the bar, none without a bar."""
     axis.set_axis_on()
-    axis.set_xticks([])
-    axis.set_yticks([])
-    for spine in axis.spines.values():
-        spine.set_visible(False)
+    axis.set(xticks=[], yticks=[])
+    axis.spines[:].set_visible(False)
     axis.grid(False)
-    axis.imshow(picture, extent=(0., views.extent()[0], 0.,
-                                 views.extent()[1]))
+    width, height = views.extent()
+    axis.imshow(views.paint(values, norm, colours),
+                extent=(0., width, 0., height))
     for name, place in views.labels():
         axis.annotate(name, (place, 0.), (0, -4), textcoords="offset points",
                       ha="center", va="top", fontsize=9, color=style.GREY)
-    if bar_of is None:
-        bar_of = [values]
-    if not bar_of:
+    if not barred:
         return
-    means = np.concatenate([views.means(part) for part in bar_of])
-    bar = figure.colorbar(
-        plt.cm.ScalarMappable(norm, colours),
+    means = np.concatenate([views.means(part) for part in barred])
+    bar = style.colour_bar(
+        axis.figure, plt.cm.ScalarMappable(norm, colours), unit,
         cax=axis.inset_axes([1.02, 0.05, 0.025, 0.9]),
         extend=style.beyond(means, norm))
-    bar.set_label(unit, fontsize=9)
     bar.ax.tick_params(labelsize=9)
     if isinstance(norm, LogNorm):
         style.label_decades(bar.ax.yaxis)
-    bar.outline.set_visible(False)
-
-
-def draw_gauges(gauges, loads, views, path):
-    """Saves gauges_figure(), if there are places and times."""
-    if gauges.others("time") and len(gauges["time"]) >= 3:
-        style.save(gauges_figure(gauges, loads, views), path)
 
 
 def gauges_figure(gauges, loads, views, measures=None):
@@ -227,8 +210,12 @@ def gauges_figure(gauges, loads, views, measures=None):
     axes = part.subplots(rows, columns, squeeze=False, sharex=True)
     for axis in axes.flat[len(names):]:
         axis.set_axis_off()
-    shown = _time_span(gauges, names)
-    time_factor, time_unit = style.scale_unit("s", gauges["time"][-1])
+    time = gauges["time"]
+    time_factor, time_unit = style.scale_unit("s", time[-1])
+    # From shortly before the first arrival to the end.
+    over = np.abs(np.stack([gauges[name] for name in names])).max(axis=0)
+    arrival = time[np.argmax(over > 0.01 * over.max())]
+    begin = max(arrival - 0.05 * (time[-1] - arrival), time[0])
     for number, (axis, name) in enumerate(zip(axes.flat, names)):
         told = _draw_history(axis, gauges, name, style.COLOURS[number % 6],
                              (measures or {}).get(name, {}))
@@ -236,7 +223,7 @@ def gauges_figure(gauges, loads, views, measures=None):
         axis.annotate(told, (0., 1.), (0, 3), xycoords="axes fraction",
                       textcoords="offset points", fontsize=8) \
             .set_in_layout(False)
-        axis.set_xlim(shown[0] * time_factor, shown[1] * time_factor)
+        axis.set_xlim(begin * time_factor, time[-1] * time_factor)
         if number + columns >= len(names):
             axis.set_xlabel(style.label("time", time_unit))
             axis.tick_params(labelbottom=True)
@@ -245,24 +232,12 @@ def gauges_figure(gauges, loads, views, measures=None):
     return figure
 
 
-def _time_span(gauges, names):
-    """From shortly before the first arrival to the end."""
-    time = gauges["time"]
-    over = np.abs(np.stack([gauges[name] for name in names]))
-    arrived = np.flatnonzero(over.max(axis=0) > 0.01 * over.max())
-    begin = time[arrived[0]] if arrived.size else time[0]
-    return max(begin - 0.05 * (time[-1] - begin), time[0]), time[-1]
-
-
 def _draw_history(axis, gauges, name, colour, measures):
     """The curve with its peaks marked; what they are, in words."""
     time, over = gauges["time"], gauges[name]
     factor, unit = style.scale_unit("Pa", np.max(np.abs(over)))
     time_factor, time_unit = style.scale_unit("s", time[-1])
-    axis.axhline(0., color=style.GREY, linewidth=0.6)
-    axis.fill_between(time * time_factor, 0., over * factor, color=colour,
-                      alpha=0.15, linewidth=0.)
-    axis.plot(time * time_factor, over * factor, color=colour, linewidth=1.2)
+    style.draw_wave(axis, time * time_factor, over * factor, colour, 1.2)
     told = []
     for peak, marker, mark in zip(signals.peaks_of_steps(time, over, measures),
                                   "ov", "●▼"):
@@ -290,25 +265,21 @@ def _draw_places(figure, loads, views, names):
         width, height = views.side_extent(side)
         axis.imshow(views.paint_side(side), extent=(0., width, 0., height))
         axis.set_title(views.names()[side], fontsize=10)
-        spots = {name: found[number] for name, found in known.items()}
-        for is_right in (False, True):
-            names_here = [name for name, spot in spots.items()
-                          if spot is not None
-                          and (spot[0] >= 0.49 * width) == is_right]
-            names_here.sort(key=lambda name: -spots[name][1])
-            level = np.inf
-            for name in names_here:
-                # Numbers stand next to the body, apart from each other.
-                level = min(spots[name][1], level - 0.06 * height)
-                # Hollow where it is behind what is seen.
-                axis.plot(*spots[name], marker="o", markersize=3.5,
-                          color="white" if name in hidden else "black",
-                          markeredgecolor="black" if name in hidden
-                          else "white", markeredgewidth=0.5)
-                axis.annotate(
-                    str(names.index(name) + 1), spots[name],
-                    ((1.15 if is_right else -0.15) * width, level),
-                    fontsize=9, ha="center", va="center",
-                    arrowprops={"arrowstyle": "-", "linewidth": 0.5,
-                                "color": style.GREY})
+        spots = [(name, found[number]) for name, found in known.items()
+                 if found[number] is not None]
+        levels = {-0.15: np.inf, 1.15: np.inf}  # of the last number at each side
+        for name, spot in sorted(spots, key=lambda one: (
+                one[1][0] >= 0.49 * width, -one[1][1])):
+            beside = 1.15 if spot[0] >= 0.49 * width else -0.15
+            # Numbers stand next to the body, apart from each other.
+            levels[beside] = min(spot[1], levels[beside] - 0.06 * height)
+            # Hollow where it is behind what is seen.
+            colours = ("white", "black") if name in hidden else ("black", "white")
+            axis.plot(*spot, marker="o", markersize=3.5, color=colours[0],
+                      markeredgecolor=colours[1], markeredgewidth=0.5)
+            axis.annotate(
+                str(names.index(name) + 1), spot,
+                (beside * width, levels[beside]), fontsize=9, ha="center",
+                va="center", arrowprops={"arrowstyle": "-", "linewidth": 0.5,
+                                         "color": style.GREY})
         axis.set_xlim(-0.25 * width, 1.25 * width)

@@ -4,6 +4,7 @@
 a normal and an area each, and its outline by their corners."""
 
 import functools
+import itertools
 
 import numpy as np
 from PIL import Image, ImageDraw
@@ -48,19 +49,13 @@ class BodyViews:
         self.normals = normals @ self.axes.T  # of what was recorded
         facets = np.arange(len(areas))
         for axis, place in planes:
-            mirrored = centroids.copy(), normals.copy()
-            mirrored[0][:, axis] = 2. * place - centroids[:, axis]
-            mirrored[1][:, axis] *= -1.
-            centroids = np.concatenate([centroids, mirrored[0]])
-            normals = np.concatenate([normals, mirrored[1]])
             facets = np.concatenate([facets, facets])
             outlines = outlines + [one + len(vertices) for one in outlines]
-            image = vertices.copy()
-            image[:, axis] = 2. * place - vertices[:, axis]
-            vertices = np.concatenate([vertices, image])
+            centroids = _with_image(centroids, axis, place)
+            normals = _with_image(normals, axis, 0.)
+            vertices = _with_image(vertices, axis, place)
         centroids, normals = centroids @ self.axes.T, normals @ self.axes.T
-        self.low = centroids.min(axis=0)
-        self.high = centroids.max(axis=0)
+        self.low, self.high = centroids.min(axis=0), centroids.max(axis=0)
         spacing = _spacings(centroids, areas[facets])
         self.pixel = max((self.high - self.low)[2] / pixels,
                          spacing.max() / FINEST)
@@ -92,8 +87,7 @@ class BodyViews:
 
     def paint(self, values, norm, colours):
         """Red, green, blue of all views; values by facet."""
-        rows = self.sides[0].shape[0]
-        gap = np.ones((rows, int(self._gap() / self.pixel), 3))
+        gap = np.ones((self.sides[0].shape[0], int(self._gap() / self.pixel), 3))
         parts = []
         for side in self.sides:
             parts += [side.paint(values, norm, colours), gap]
@@ -140,12 +134,20 @@ class BodyViews:
         return GAP * (self.high - self.low)[2]
 
 
+def _with_image(points, axis, place):
+    """Points and their mirror images at the plane at a place normal to an
+    axis."""
+    image = points.copy()
+    image[:, axis] = 2. * place - points[:, axis]
+    return np.concatenate([points, image])
+
+
 def _spacings(centroids, areas):
     """Distance between facets around each [m]: cells of one size have facets
     of all sizes up to that of the cell's face."""
     size = 4. * np.sqrt(np.percentile(areas, 95))
-    block = np.floor((centroids - centroids.min(axis=0)) / size).astype(int)
-    _, number = np.unique(block, axis=0, return_inverse=True)
+    _, number = np.unique(np.floor((centroids - centroids.min(axis=0)) / size),
+                          axis=0, return_inverse=True)
     number = number.ravel()
     largest = np.zeros(number.max() + 1)
     np.maximum.at(largest, number, areas)
@@ -185,8 +187,7 @@ class _Side:
         vertices, outlines = outline
         hole = self.silhouette & (self.total.reshape(self.shape) == 0.) \
             & bool(outlines)
-        near = [outlines[facet] for facet in np.flatnonzero(seen)
-                if outlines]
+        near = [outlines[i] for i in np.flatnonzero(seen) if outlines]
         # Between patches; and where the eye would look into the body.
         self.gaps = hole & self._fill(vertices, near) & bool(near)
         self.bare = hole & ~self.gaps
@@ -222,24 +223,20 @@ class _Side:
         count = int(np.ceil(2. * reach * spacing.max(initial=0.)
                             / self.pixel)) + 2
         steps = np.linspace(-reach, reach, max(count, 3))
-        pixels, closeness, weights, numbers = [], [], [], []
-        for s in steps:
-            for t in steps:
-                if s * s + t * t > reach * reach:
-                    continue
-                points = centroids + spacing[:, None] * (s * first
-                                                         + t * second)
-                row, column, close = self._project(points)
-                inside = ((row >= 0) & (row < self.shape[0]) & (column >= 0)
-                          & (column < self.shape[1]))
-                inside[inside] = self.silhouette[row[inside], column[inside]]
-                pixels.append((row * self.shape[1] + column)[inside])
-                closeness.append(close[inside])
-                weights.append(np.full(np.count_nonzero(inside),
-                                       np.exp(-4. * (s * s + t * t))))
-                numbers.append(np.flatnonzero(inside))
-        pixels, closeness, weights, numbers = map(
-            np.concatenate, (pixels, closeness, weights, numbers))
+        found = []
+        for s, t in itertools.product(steps, steps):
+            if s * s + t * t > reach * reach:
+                continue
+            points = centroids + spacing[:, None] * (s * first + t * second)
+            row, column, close = self._project(points)
+            inside = ((row >= 0) & (row < self.shape[0]) & (column >= 0)
+                      & (column < self.shape[1]))
+            inside[inside] = self.silhouette[row[inside], column[inside]]
+            found.append(((row * self.shape[1] + column)[inside], close[inside],
+                          np.full(np.count_nonzero(inside),
+                                  np.exp(-4. * (s * s + t * t))),
+                          np.flatnonzero(inside)))
+        pixels, closeness, weights, numbers = map(np.concatenate, zip(*found))
         nearest = np.full(self.shape[0] * self.shape[1], -np.inf)
         np.maximum.at(nearest, pixels, closeness)
         shown = closeness > nearest[pixels] - 1.2 * spacing[numbers]
@@ -252,24 +249,22 @@ class _Side:
     def mean(self, values):
         """Weighted mean in each pixel of values by patch."""
         known = np.isfinite(values)
-        sums = np.bincount(self.pixels[known],
-                           (self.weights * values)[known], self.total.size)
-        total = np.bincount(self.pixels[known], self.weights[known],
-                            self.total.size)
+        sums, total = (np.bincount(self.pixels[known], weights[known],
+                                   self.total.size)
+                       for weights in (self.weights * values, self.weights))
         with np.errstate(invalid="ignore", divide="ignore"):
             return (sums / total).reshape(self.shape)
 
     def _shade(self, normals, numbers):
         """Brightness of a body that is lit from above and left of the eye."""
         lamp = np.zeros(3)
-        lamp[self.depth[0]] = 0.8 * self.depth[1]
-        lamp[self.up[0]] = 0.45 * self.up[1]
-        lamp[self.right[0]] = -0.4 * self.right[1]
+        for (axis, sign), size in ((self.depth, 0.8), (self.up, 0.45),
+                                   (self.right, -0.4)):
+            lamp[axis] = size * sign
         normal = np.stack([self.mean(normals[numbers, d]) for d in range(3)])
         with np.errstate(invalid="ignore"):
             normal /= np.linalg.norm(normal, axis=0)
-        light = np.tensordot(lamp, normal, 1)
-        return 0.62 + 0.38 * np.clip(light, 0., 1.)
+        return 0.62 + 0.38 * np.clip(np.tensordot(lamp, normal, 1), 0., 1.)
 
     def paint(self, values, norm, colours):
         """Red, green, blue; grey without values, BARE of skin without gas,

@@ -15,17 +15,11 @@ def _time_axis(table):
     return time * factor, style.label("time", unit)
 
 
-def _groups(table):
-    """Columns that go into one panel: those of one unit."""
+def draw_history(table, path):
+    """One panel for each unit among the columns of the history."""
     groups = {}
     for name in table.others("step", "time"):
         groups.setdefault(table.unit(name), []).append(name)
-    return groups
-
-
-def draw_history(table, path):
-    """One panel for each unit among the columns of the history."""
-    groups = _groups(table)
     rows = -(-len(groups) // 2)
     figure, axes = plt.subplots(rows, 2, squeeze=False, sharex=True,
                                 figsize=(9.6, 2.5 * rows + 0.4))
@@ -41,12 +35,10 @@ def draw_history(table, path):
 def _draw_group(axis, table, unit, names):
     time = _time_axis(table)[0]
     columns = [table[name] for name in names]
-    largest = max(np.max(np.abs(values)) for values in columns)
-    positive = [values[values > 0.] for values in columns]
-    smallest = min((np.min(part) for part in positive if part.size),
-                   default=largest)
-    is_log = (all(np.all(values >= 0.) for values in columns)
-              and largest > 100. * smallest > 0.)
+    together = np.concatenate(columns)
+    largest = np.abs(together).max()
+    smallest = together[together > 0.].min(initial=largest)
+    is_log = np.all(together >= 0.) and largest > 100. * smallest > 0.
     factor, shown = style.scale_unit(unit, largest)
     for name, values in zip(names, columns):
         if np.max(np.abs(values)) < 1e-9 * largest:
@@ -105,10 +97,7 @@ def _draw_probe(axis, table, name, known, colour):
     over = table[name] - table[name][0]
     factor, unit = style.scale_unit("Pa", max(
         np.max(np.abs(over)), known.get("peak_overpressure", 0.)))
-    axis.axhline(0., color=style.GREY, linewidth=0.6)
-    axis.fill_between(time, 0., over * factor, color=colour, alpha=0.15,
-                      linewidth=0.)
-    axis.plot(time, over * factor, color=colour)
+    style.draw_wave(axis, time, over * factor, colour, 1.5)
     peak = np.argmax(over)
     axis.annotate(f"{over[peak] * factor:.3g} {unit}",
                   (time[peak], over[peak] * factor), (14, -4),
@@ -125,8 +114,8 @@ def _draw_reference(axis, known, time_factor, factor, unit):
     curve through them with the reference's duration and impulse."""
     arrival = known["arrival"] * time_factor
     peak = known["peak_overpressure"] * factor
-    axis.plot([arrival], [peak], marker="x", markersize=7,
-              markeredgewidth=1.5, color="black", linestyle="none")
+    axis.plot(arrival, peak, "x", markersize=7, markeredgewidth=1.5,
+              color="black")
     # Next to the cross of an early arrival are the axis and its ticks.
     axis.set_title(f"reference: {peak:.3g} {unit}", loc="right", fontsize=9,
                    fontweight="normal")
@@ -146,8 +135,6 @@ def _friedlander_decay(part):
     low, high = 1e-3, 1e3
     for _ in range(60):
         b = np.sqrt(low * high)
-        if (1. - (1. - np.exp(-b)) / b) / b > part:
-            low = b
-        else:
-            high = b
+        low, high = (b, high) if (1. - (1. - np.exp(-b)) / b) / b > part \
+            else (low, b)
     return b

@@ -40,16 +40,14 @@ def area_above(maps, name, level):
     the gauges that do, each with the part of the plane that is nearest to it,
     and on the other side of planes of symmetry; in axisymmetric cells of the
     half plane."""
-    return _area_where(maps[name], _known(maps, name)
-                       & (np.nan_to_num(maps[name].values) > level))
+    return _area_where(maps[name], _above(maps, name, level))
 
 
 def common_areas_above(maps, others, name, level):
     """Areas of two runs where a quantity exceeds a level, see area_above(), by
     the gauges of which both know it."""
     known = _known(maps, name) & _known(others, name)
-    return [_area_where(maps[name], known
-                        & (np.nan_to_num(one[name].values) > level))
+    return [_area_where(maps[name], known & _above(one, name, level))
             for one in (maps, others)]
 
 
@@ -61,12 +59,11 @@ def area_unknown(maps, name):
 def goes_beyond(maps, name, level):
     """Whether a quantity exceeds a level at a side of the plane that is no plane
     of symmetry: the area where it does is larger than that of the plane."""
-    plane = maps[name]
-    above = _known(maps, name) & (np.nan_to_num(plane.values) > level)
+    above = _above(maps, name, level)
     sides = {(0, 0): above[:, 0], (0, 1): above[:, -1],
              (1, 0): above[0], (1, 1): above[-1]}
     return any(side.any() for key, side in sides.items()
-               if key not in plane.mirrored)
+               if key not in maps[name].mirrored)
 
 
 def area_of_limits(maps):
@@ -83,18 +80,21 @@ def area(maps):
 
 
 def _area_where(plane, chosen):
-    x, y = (_widths(low, high, points) for low, high, points in
-            zip(plane.lower, plane.upper, plane.values.shape[::-1]))
+    # Of the parts nearest to each of the gauges, the first and last of which are
+    # at the ends.
+    widths = [np.full(points, (high - low) / max(points - 1, 1))
+              for low, high, points in zip(plane.lower, plane.upper,
+                                           plane.values.shape[::-1])]
+    for along in widths:
+        if len(along) > 1:
+            along[[0, -1]] /= 2.
+    x, y = widths
     return plane.copies * float(y @ np.asarray(chosen, float) @ x)
 
 
-def _widths(low, high, points):
-    """Widths of the parts nearest to each of the gauges, the first and last of
-    which are at the ends."""
-    widths = np.full(points, (high - low) / max(points - 1, 1))
-    if points > 1:
-        widths[[0, -1]] /= 2.
-    return widths
+def _above(maps, name, level):
+    """Gauges at which a quantity is known to exceed a level."""
+    return _known(maps, name) & (np.nan_to_num(maps[name].values) > level)
 
 
 def _known(maps, name):
@@ -111,7 +111,7 @@ def draw(maps, path, own=None):
     measure."""
     figure, axes = blast_maps.four_panels(maps["peak_overpressure"])
     for axis, (name, (title, levels)) in zip(axes.flat, PANELS.items()):
-        _draw_panel(figure, axis, maps[name], _known(maps, name), title,
+        _draw_panel(axis, maps[name], _known(maps, name), title,
                     (own or {}).get(name, levels))
     if area_of_limits(maps) > 0.:
         blast_maps.hatch_limits(
@@ -119,10 +119,9 @@ def draw(maps, path, own=None):
     style.save(figure, path)
 
 
-def _draw_panel(figure, axis, plane, known, title, levels):
+def _draw_panel(axis, plane, known, title, levels):
     values = np.where(known, plane.values, np.nan)
-    axis.set_facecolor("#cccccc")
-    axis.set_title(title)
+    axis.set(facecolor="#cccccc", title=title)
     axis.grid(False)
     if not np.any(np.isfinite(values)):
         style.say_nothing(axis, "known nowhere")
@@ -136,12 +135,7 @@ def _draw_panel(figure, axis, plane, known, title, levels):
                        max(high, 2e3) * factor)
     else:
         norm = Normalize(0., max(high, 1e-3) * factor)
-    image = axis.imshow(values * factor, extent=plane.extent(), norm=norm,
-                        cmap=style.SEQUENTIAL, interpolation="nearest")
-    bar = figure.colorbar(image, ax=axis, pad=0.02, fraction=0.05,
-                          extend=style.beyond(values * factor, norm))
-    bar.set_label(unit, fontsize=9)
-    bar.outline.set_visible(False)
+    blast_maps.paint(axis, plane, values * factor, unit, norm)
     _draw_levels(axis, plane, values, levels)
 
 
@@ -150,9 +144,8 @@ def _draw_levels(axis, plane, values, levels):
               if np.nanmin(values) < level < np.nanmax(values)]
     if not inside or min(values.shape) < 2:
         return
-    x = np.linspace(plane.lower[0], plane.upper[0], values.shape[1])
-    y = np.linspace(plane.lower[1], plane.upper[1], values.shape[0])
-    lines = axis.contour(x, y, values, inside, colors="white", linewidths=1.)
+    lines = axis.contour(plane.positions(), plane.positions(1), values, inside,
+                         colors="white", linewidths=1.)
     _name_levels(axis, lines, levels)
     # A dark rim shows on any colour.
     plt.setp([*axis.collections, *lines.labelTexts],

@@ -25,9 +25,8 @@ def _name(plane):
 
 def _shown(plane, background):
     """Values to draw: overpressure for a pressure, else the quantity."""
-    if plane.quantity == "pressure":
-        return plane.values - background
-    return plane.values
+    return plane.values - background if plane.quantity == "pressure" \
+        else plane.values
 
 
 def largest_overpressure(planes):
@@ -40,11 +39,10 @@ def largest_overpressure(planes):
 def _limits(planes, shown):
     """Lower and upper limits of that part of the plane in which anything is to
     be seen at any time, along both axes."""
-    first = planes[0]
     # Bodies have no values.
     seen = np.any([~(np.abs(values) <= wave_times.SEEN
                      * np.nanmax(np.abs(values))) for values in shown], axis=0)
-    left, right, bottom, top = first.extent()
+    left, right, bottom, top = planes[0].extent()
     limits = []
     for low, high, part in ((left, right, seen.any(axis=0)),
                             (bottom, top, seen.any(axis=1))):
@@ -69,21 +67,19 @@ def draw_planes(planes, path, one_scale=False):
     limits = _limits(planes, shown)
     width, height = (high - low for low, high in limits)
     side = 8. if columns == 1 else 3.3
-    panel = np.clip((side - 1.) * height / width, 1.2, 8.)
+    bar_height = (side - 1.) * height / width
     figure, axes = plt.subplots(
         rows, columns, squeeze=False, sharex=True, sharey=True,
-        figsize=(side * columns, (panel + 0.6) * rows))
+        figsize=(side * columns, (np.clip(bar_height, 1.2, 8.) + 0.6) * rows))
     for axis in axes.flat[len(planes):]:
         axis.set_axis_off()
-    for number, (plane, values) in enumerate(zip(planes, shown), 1):
-        axis = axes.flat[number - 1]
+    for number, (axis, plane, values) in enumerate(
+            zip(axes.flat, planes, shown), 1):
         image = _draw_panel(axis, plane, values, together if one_scale
                             else values[np.isfinite(values)])
         # The scale of all stands at the end of each row.
-        if not one_scale or number in (len(planes), -(-number // columns)
-                                       * columns):
-            _draw_bar(figure, axis, plane, image,
-                      (side - 1.) * height / width)
+        if not one_scale or number % columns == 0 or number == len(planes):
+            _draw_bar(axis, plane, image, bar_height)
         # Not above a bar that is higher than the picture.
         axis.set_title(_time(plane, planes), y=1.)
     # All axes share these.
@@ -97,8 +93,7 @@ def draw_planes(planes, path, one_scale=False):
 
 def _draw_panel(axis, plane, values, scaled_by):
     """Colours reach from the least to the largest of @p scaled_by."""
-    largest = np.max(np.abs(scaled_by))
-    factor, unit = style.scale_unit(plane.unit, largest)
+    factor, unit = style.scale_unit(plane.unit, np.max(np.abs(scaled_by)))
     low, high = np.min(scaled_by) * factor, np.max(scaled_by) * factor
     if low == high:
         high = low + 1.
@@ -113,19 +108,17 @@ def _draw_panel(axis, plane, values, scaled_by):
     return image, unit, (low, high)
 
 
-def _draw_bar(figure, axis, plane, drawn, height):
+def _draw_bar(axis, plane, drawn, height):
     """@p height: that of the picture [inches]; a low one has a higher bar."""
     image, unit, limits = drawn
     part = max(1., BAR / height)
     is_short = height < 2. * BAR
-    bar = figure.colorbar(image, cax=axis.inset_axes(
-        [1.02, 0.5 * (1. - part), 0.03, part]))
     label = style.label(_name(plane), unit)
-    bar.set_label(label.replace(" [", "\n[") if is_short else label,
-                  fontsize=9)
+    bar = style.colour_bar(
+        axis.figure, image, label.replace(" [", "\n[") if is_short else label,
+        cax=axis.inset_axes([1.02, 0.5 * (1. - part), 0.03, part]))
     bar.ax.yaxis.set_major_locator(MaxNLocator(3 if is_short else 5))
     bar.ax.set_ylim(*limits)
-    bar.outline.set_visible(False)
 
 
 def draw_lines(planes, path):
@@ -141,9 +134,9 @@ def draw_lines(planes, path):
         axis.plot(plane.positions(), _shown(plane, background)[0] * factor,
                   color=colour, label=_time(plane, planes))
     first = planes[0]
-    axis.set_title(f"{_name(first)} along the lowest samples, "
-                   f"{first.axes[1]} = {first.lower[1]:.2g} m")
-    axis.set_xlabel(style.label(first.axes[0], "m"))
-    axis.set_ylabel(style.label(_name(first), unit))
+    axis.set(title=f"{_name(first)} along the lowest samples, "
+             f"{first.axes[1]} = {first.lower[1]:.2g} m",
+             xlabel=style.label(first.axes[0], "m"),
+             ylabel=style.label(_name(first), unit))
     axis.legend(title="time")
     style.save(figure, path)

@@ -29,27 +29,17 @@ _PREFIXED_UNITS = {"s", "Pa", "J", "W", "m", "N", "Pa s", "Hz"}
 
 def set_up():
     """Fonts, colours and axes of all figures from now on."""
-    plt.rcParams.update({
-        "figure.dpi": 150,
-        "savefig.dpi": 150,
-        "figure.constrained_layout.use": True,
-        "font.family": "DejaVu Sans",
-        "font.size": 10,
-        "axes.titlesize": 11,
-        "axes.titlelocation": "left",
-        "axes.titleweight": "bold",
-        "axes.spines.top": False,
-        "axes.spines.right": False,
-        "axes.grid": True,
-        "axes.axisbelow": True,
-        "axes.prop_cycle": matplotlib.cycler(color=COLOURS),
-        "grid.color": "#dddddd",
-        "grid.linewidth": 0.6,
-        "lines.linewidth": 1.5,
-        "legend.frameon": False,
-        "legend.fontsize": 9,
-        "image.origin": "lower",
-    })
+    plt.rc("figure", dpi=150)
+    plt.rc("figure.constrained_layout", use=True)
+    plt.rc("savefig", dpi=150)
+    plt.rc("font", family="DejaVu Sans", size=10)
+    plt.rc("axes", titlesize=11, titlelocation="left", titleweight="bold",
+           grid=True, axisbelow=True, prop_cycle=matplotlib.cycler(color=COLOURS))
+    plt.rc("axes.spines", top=False, right=False)
+    plt.rc("grid", color="#dddddd", linewidth=0.6)
+    plt.rc("lines", linewidth=1.5)
+    plt.rc("legend", frameon=False, fontsize=9)
+    plt.rc("image", origin="lower")
 
 
 def scale_unit(unit, largest):
@@ -57,9 +47,7 @@ def scale_unit(unit, largest):
     (1e-3, "kPa") for pascals of 1e5."""
     if unit == "-":
         return 1., ""
-    if unit not in _PREFIXED_UNITS or not largest > 0.:
-        return 1., unit
-    for size, prefix in _PREFIXES:
+    for size, prefix in _PREFIXES if unit in _PREFIXED_UNITS else ():
         if largest >= size:
             return 1. / size, prefix + unit
     return 1., unit
@@ -118,6 +106,26 @@ def pictures_folder(output_folder):
     folder = os.path.join(output_folder, "pictures")
     os.makedirs(folder, exist_ok=True)
     return folder
+
+
+def draw_wave(axis, time, over, colour, linewidth):
+    """A curve of overpressure, with the area to zero."""
+    axis.axhline(0., color=GREY, linewidth=0.6)
+    axis.fill_between(time, 0., over, color=colour, alpha=0.15, linewidth=0.)
+    axis.plot(time, over, color=colour, linewidth=linewidth)
+
+
+def colour_bar(figure, picture, words, **options):
+    """A bar of colours without an outline, with a unit or other words."""
+    bar = figure.colorbar(picture, **options)
+    bar.set_label(words, fontsize=9)
+    bar.outline.set_visible(False)
+    return bar
+
+
+def picture(output_folder, name):
+    """Where a picture of a run goes; makes its folder."""
+    return os.path.join(pictures_folder(output_folder), f"{name}.png")
 
 
 def save(figure, path):

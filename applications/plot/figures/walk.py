@@ -16,9 +16,10 @@ BUFFER, HALVED, MERGED = style.COLOURS[5], style.COLOURS[1], style.COLOURS[2]
 
 def outline(axis, leaves, which=None, **options):
     """Edges of leaves."""
-    chosen = range(len(leaves.levels)) if which is None else which
+    chosen = slice(None) if which is None else which
     axis.add_collection(PatchCollection(
-        [Rectangle(leaves.corners[i], *leaves.edges[i]) for i in chosen],
+        [Rectangle(corner, *edges) for corner, edges in zip(
+            leaves.corners[chosen], leaves.edges[chosen])],
         **{"facecolor": "none", "edgecolor": "black", **options}))
 
 
@@ -35,21 +36,18 @@ def paint(axis, leaves, values, norm, colours):
 
 def plain(axis, box, title=None):
     """A picture of the box x, y in equal scales, in millimetres."""
-    axis.set_xlim(box[0])
-    axis.set_ylim(box[1])
-    axis.set_aspect("equal")
+    axis.set(xlim=box[0], ylim=box[1], aspect="equal",
+             xlabel=style.label("x", "mm"))
     axis.grid(False)
     for direction in (axis.xaxis, axis.yaxis):
         direction.set_major_formatter(lambda x, _: f"{1e3 * x:.0f}")
-    axis.set_xlabel(style.label("x", "mm"))
     if title:
         axis.set_title(title, fontsize=10)
 
 
-def bar(figure, axis, picture, words):
-    found = figure.colorbar(picture, ax=axis, shrink=0.85, pad=0.02)
-    found.set_label(words, fontsize=9)
-    found.outline.set_visible(False)
+def bar(axes, picture, words):
+    style.colour_bar(picture.axes.figure, picture, words, ax=axes, shrink=0.85,
+                     pad=0.02)
 
 
 # One time step.
@@ -81,24 +79,21 @@ def draw_step(line, picture):
         for k, marker in ((1, ">"), (0, "<")):
             # Traces at the faces of the leaf, from the left and the right.
             if 2 - k <= i < n + 3 - k:
+                label = "trace at a face" if (i, k) == (2, 1) else None
                 above.plot(ends[k], pressure[i] + (2 * k - 1) * slope, marker,
-                           color=style.COLOURS[1], markersize=6,
-                           label="trace at a face" if (i, k) == (2, 1)
-                           else None)
+                           color=style.COLOURS[1], markersize=6, label=label)
     above.set_ylabel(style.label("pressure", "kPa"))
     faces = x[2] + edge * (np.arange(n + 1) - 0.5)
     below.plot(faces, line.flux, "D", color=style.COLOURS[0],
                label="mass flux through a face, mean of the step")
     below.bar(x[2:2 + n], line.change, 0.5 * edge, color=style.COLOURS[4],
               label="flux in minus flux out of a subcell")
-    below.set_xlabel(style.label("x", "mm"))
-    below.set_ylabel("kg/(m² s)")
+    below.set(xlabel=style.label("x", "mm"), ylabel="kg/(m² s)")
     for axis in (above, below):
         axis.grid(False)
-        for face in (faces[0], faces[-1]):
-            axis.axvline(face, color="black", linewidth=1.4)
-        for face in faces[1:-1]:
-            axis.axvline(face, color="black", linewidth=0.4)
+        for i, face in enumerate(faces):
+            axis.axvline(face, color="black",
+                         linewidth=1.4 if i in (0, n) else 0.4)
         for low in (x[0], x[n + 2]):
             axis.axvspan(low - 0.5 * edge, low + 1.5 * edge, color="#eeeeee",
                          zorder=0)
@@ -135,19 +130,17 @@ def draw_adaptation(before, after, picture):
     halved, merged = changed_leaves(before, after)
     changed = halved + merged
     margin = before.edges.max()
-    corners = after.corners[changed]
-    box = tuple(zip(np.maximum(corners.min(axis=0) - margin,
+    ends = after.corners + after.edges
+    box = tuple(zip(np.maximum(after.corners[changed].min(axis=0) - margin,
                                after.corners.min(axis=0)),
-                    np.minimum((corners + after.edges[changed]).max(axis=0)
-                               + margin,
-                               (after.corners + after.edges).max(axis=0))))
+                    np.minimum(ends[changed].max(axis=0) + margin,
+                               ends.max(axis=0))))
     finest = [i for i in halved if after.levels[i] == after.levels.max()]
     figure, axes = plt.subplots(1, 2, figsize=(7.4, 3.9), sharey=True)
     norm = plt.Normalize(KILO * before.pressure.min(),
                          KILO * before.pressure.max())
-    for axis, leaves, title in zip(
-            axes, (before, after),
-            ("before", "after, one time step later")):
+    for axis, leaves, title in zip(axes, (before, after), (
+            "before", "after, one time step later")):
         painted = paint(axis, leaves, KILO * leaves.pressure, norm, "Purples")
         outline(axis, leaves, linewidth=0.4)
         plain(axis, box, title)
@@ -163,7 +156,7 @@ def draw_adaptation(before, after, picture):
                   **{"facecolor": "none", **colours})
         for _, name, colours in kinds],
         loc="lower center", ncols=3, bbox_to_anchor=(0.5, -0.06))
-    bar(figure, axes, painted, "pressure [kPa]")
+    bar(axes, painted, "pressure [kPa]")
     style.save(figure, picture)
 
 
@@ -209,7 +202,7 @@ def draw_cut_cells(leaves, loads, box, picture):
     draw_facets(axis, loads, box, 0.6 * edge)
     plain(axis, box)
     axis.set_ylabel(style.label("y", "mm"))
-    bar(figure, axis, painted, "open fraction of a subcell's volume")
+    bar(axis, painted, "open fraction of a subcell's volume")
     style.save(figure, picture)
 
 
@@ -228,9 +221,9 @@ def draw_load(load, leaves, loads, box, picture):
                  label="arrival")
     history.axhline(KILO * load.peak, color=style.COLOURS[0], linewidth=0.8,
                     linestyle="--", label="peak")
-    history.set_xlabel(style.label("time", "ms"))
-    history.set_ylabel(style.label("overpressure", "kPa"))
-    history.set_xlim(1e3 * load.begin, 1e3 * load.times[-1])
+    history.set(xlim=(1e3 * load.begin, 1e3 * load.times[-1]),
+                xlabel=style.label("time", "ms"),
+                ylabel=style.label("overpressure", "kPa"))
     history.legend(loc="lower right")
     history.grid(False)
     over = KILO * (leaves.pressure - load.ambient)
@@ -243,5 +236,5 @@ def draw_load(load, leaves, loads, box, picture):
                               facecolor="none", linewidth=2.,
                               edgecolor=style.COLOURS[5]))
     plain(place, box, f"at {1e3 * leaves.time:.3f} ms")
-    bar(figure, place, painted, "overpressure [kPa]")
+    bar(place, painted, "overpressure [kPa]")
     style.save(figure, picture)

@@ -17,11 +17,8 @@ class Plane:
     def __init__(self, image, quantity):
         self.quantity = quantity
         self.values, self.unit = image.fields[quantity]
-        self.time = image.time
-        self.place = image.place
-        self.axes = image.axes
-        self.lower = image.lower
-        self.upper = image.upper
+        self.time, self.place = image.time, image.place
+        self.axes, self.lower, self.upper = image.axes, image.lower, image.upper
         self.copies = 1  # with the mirror images at planes of symmetry
         self.mirrored = set()  # sides at these: axis, 0 lower or 1 upper
         if self.values.dtype.kind != "f":
@@ -33,11 +30,10 @@ class Plane:
         """Left, right, bottom, top for imshow, whose pixels are centred on
         the points of the grid."""
         extent = []
-        for axis in range(2):
-            points = self.values.shape[1 - axis]
-            half = 0.5 * (self.upper[axis] - self.lower[axis]) / max(
-                points - 1, 1)
-            extent += [self.lower[axis] - half, self.upper[axis] + half]
+        for low, high, points in zip(self.lower, self.upper,
+                                     self.values.shape[::-1]):
+            half = 0.5 * (high - low) / max(points - 1, 1)
+            extent += [low - half, high + half]
         return extent
 
     def mirror(self, symmetry_planes):
@@ -52,10 +48,10 @@ class Plane:
                         self.copies *= 2
                         self.mirrored.add((own, side))
 
-    def positions(self):
-        """Coordinates along the first axis [m]."""
-        return np.linspace(self.lower[0], self.upper[0],
-                           self.values.shape[1])
+    def positions(self, axis=0):
+        """Coordinates along the first or the second axis [m]."""
+        return np.linspace(self.lower[axis], self.upper[axis],
+                           self.values.shape[1 - axis])
 
 
 def open_planes(folder):
