@@ -3,6 +3,7 @@
 """The scene drawn to scale, and what happens when."""
 
 import re
+from typing import NamedTuple
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -24,62 +25,52 @@ SOLID = "#cfc9be"  # colour of ground and walls
 
 def facts(scene):
     """A table of what the scene is."""
-    rows = []
-
-    def add(name, value):
-        if value not in (None, "", "–"):
-            rows.append((name, value))
-
     mass, place = scene.charge_mass(), scene.charge_place()
-    if mass is not None:
-        add("charge", page.Rounded(
-            f"{page.given(mass, 'kg')} of {scene.explosive_name()}", mass, f"kg of {scene.explosive_name()}"))
+    what, symmetry = scene.explosive_name(), scene.facts.get("symmetry")
+    rows = [("charge", mass and page.Rounded(
+        f"{page.given(mass, 'kg')} of {what}", mass, f"kg of {what}"))]
     if place is not None:
         shown = page.point(place)
-        add("centre of the charge",
-            page.Rounded(f"({shown}) m", shown.value, "m"))
-    for name, key, unit in (("distance to the body", "distance", "m"),
-                            ("height above ground", "height", "m")):
-        if scene.fact(key) is not None:
-            add(name, page.given(scene.fact(key), unit))
-    along = scene.fact("distance_along_x")
-    if along is not None:
-        add("distance to the skin along x", page.given(along, "m"))
-    add("body", scene.facts.get("body"))
-    add("person" if person.is_person(scene) else "size of the body",
-        person.words(scene))
+        rows.append(("centre of the charge",
+                     page.Rounded(f"({shown}) m", shown.value, "m")))
+    rows += [(name, page.given(scene.fact(key), "m")) for name, key in (
+        ("distance to the body", "distance"),
+        ("height above ground", "height"),
+        ("distance to the skin along x", "distance_along_x"))
+             if scene.fact(key) is not None]
+    rows += [("body", scene.facts.get("body")),
+             ("person" if person.is_person(scene) else "size of the body",
+              person.words(scene))]
     if person.place_of_charge(scene) != "from":
-        add("side of the charge", ", ".join(filter(None, (
+        rows.append(("side of the charge", ", ".join(filter(None, (
             person.place_of_charge(scene) + " the person",
             person.azimuth_of_charge(scene),
-            person.elevation_of_charge(scene)))))
+            person.elevation_of_charge(scene))))))
     for name, unit in (("Rotation", "degrees about x, y, z"), ("Shift", "m")):
         value = scene.parameters.get(f"Body/{name}")
         if value and np.any(files.points_of(value)):
-            add(f"{name.lower()} of the body",
-                ", ".join(map(str.strip, value.split(","))) + f" {unit}")
-    symmetry = scene.facts.get("symmetry")
-    add("plane of symmetry", f"{symmetry} = 0" if symmetry in ("x", "y", "z")
-        else symmetry)
-    for wall in reflections.walls(scene):
-        add("side of the domain", wall)
-    if scene.fact("end_time") is not None:
-        add("end of the run", page.Rounded(
-            page.given(1e3 * scene.fact("end_time"), "ms"),
-            scene.fact("end_time"), "s"))
-    add("question", scene.facts.get("question"))
-    add("accuracy", scene.facts.get("accuracy"))
-    if scene.cell_size():
-        add("gas cells at the skin", _millimetres(scene.cell_size()))
+            rows.append((f"{name.lower()} of the body",
+                         ", ".join(map(str.strip, value.split(","))) + f" {unit}"))
+    rows.append(("plane of symmetry", f"{symmetry} = 0"
+                 if symmetry in ("x", "y", "z") else symmetry))
+    rows += [("side of the domain", wall) for wall in reflections.walls(scene)]
+    rows += [("end of the run", _thousandths(scene.fact("end_time"), "s")),
+             ("question", scene.facts.get("question")),
+             ("accuracy", scene.facts.get("accuracy")),
+             ("gas cells at the skin", _thousandths(
+                 scene.fact("cell_size_at_body") or None, "m"))]
     if scene.element_size() and not scene.asks_for_loads():
-        add("mean edge of the body's own hexahedra" if scene.has_own_mesh()
-            else "elements of the body",
-            _millimetres(float(f"{scene.element_size():.3g}")))
-    return page.table(("item", "value"), rows)
+        rows.append(("mean edge of the body's own hexahedra"
+                     if scene.has_own_mesh() else "elements of the body",
+                     _thousandths(float(f"{scene.element_size():.3g}"), "m")))
+    return page.table(("item", "value"), [
+        (name, value) for name, value in rows if value not in (None, "", "–")])
 
 
-def _millimetres(size):
-    return page.Rounded(page.given(1e3 * size, "mm"), size, "m")
+def _thousandths(value, unit):
+    """A length in millimetres, a time in milliseconds; None if unknown."""
+    return None if value is None else page.Rounded(
+        page.given(1e3 * value, f"m{unit}"), value, unit)
 
 
 def section(scene):
@@ -101,9 +92,8 @@ def section(scene):
     if remarks:
         parts.append(page.bullets(remarks))
     if scene.charge_place() is None:
-        parts.append(page.missing("the place of the charge, so that nothing "
-                                  "can be drawn"))
-        return parts
+        return parts + [page.missing("the place of the charge, so that nothing "
+                                     "can be drawn")]
     ways = "" if _target(scene) is None else (
         "The solid line is the path of the direct wave to the nearest skin, "
         + ("whose reflection by the ground would come after the end of the run. "
@@ -111,25 +101,23 @@ def section(scene):
            "reflection by the ground. " if _ground_is_hidden(scene) else
            "the dashed line the path of its reflection by the ground to the "
            "same place. "))
-    parts.append(page.figure(
+    return parts + [page.figure(
         _draw(scene), f"Drawing of the {scene.explosive_name()} charge, "
         f"{page.given(float(scene.charge_place()[2]), 'm')} above the "
         "ground, and of the body before it, seen from the side.",
         f"The scene from the side, to scale. {ways}{_beside(scene)}Grey: the "
         "skin that the blast loads."
         + (" Above the picture: walls; arrows lead to those beyond its border."
-           if reflections.walls(scene) else ""), "svg"))
-    return parts
+           if reflections.walls(scene) else ""), "svg")]
 
 
 def _beside(scene):
     """Why drawn ways are shorter than they are told, where they are."""
-    target = _target(scene)
-    if target is None:
+    if _target(scene) is None:
         return ""
+    way = scene.charge_place() - _target(scene)
     # The picture is seen from -y.
-    behind = float(scene.charge_place()[1] - target[1])
-    way = float(np.linalg.norm(scene.charge_place() - target))
+    behind, way = float(way[1]), float(np.linalg.norm(way))
     return "" if way < 1.02 * np.sqrt(max(way**2 - behind**2, 0.)) else (
         f"The charge is {page.given(float(f'{abs(behind):.3g}'), 'm')} "
         f"{'behind' if behind > 0. else 'before'} that place, and lengths are "
@@ -155,11 +143,8 @@ def _draw(scene):
         bottom = -max(0.08 * top, 0.045 * (right - left))
         axis.axhspan(bottom, 0., color=SOLID, linewidth=0.)
     side = max(0., 0.8 * (top - bottom) - (right - left)) / 2.
-    axis.set_xlim(left - side, right + side)
-    axis.set_ylim(bottom, top)
-    axis.set_aspect("equal")
-    axis.set_xlabel("x [m]")
-    axis.set_ylabel("z [m]")
+    axis.set(xlim=(left - side, right + side), ylim=(bottom, top),
+             aspect="equal", xlabel="x [m]", ylabel="z [m]")
     _draw_walls(scene, axis)
     # Words stand on that side of the charge where no way begins.
     away = -1. if target is not None and charge[0] < target[0] else 1.
@@ -176,15 +161,15 @@ def _target(scene):
         return None
     if scene.facts.get("nearest_skin"):
         return np.array(scene.facts["nearest_skin"])
-    apart = np.linalg.norm(known.centroids - scene.charge_place(), axis=1)
-    return known.centroids[int(apart.argmin())]
+    return known.centroids[np.linalg.norm(
+        known.centroids - scene.charge_place(), axis=1).argmin()]
 
 
 def _ground_is_late(scene):
     """Whether the reflection by the ground reaches the skin that is nearest to
     the charge after the end of the run."""
-    target, end = _target(scene), scene.fact("end_time")
-    if target is None or end is None:
+    end = scene.fact("end_time")
+    if _target(scene) is None or end is None:
         return False
     first = scene.loads().first_arrival()
     return first is not None and reflections.is_late(scene, first, end)
@@ -220,21 +205,17 @@ def _draw_walls(scene, axis):
         if side == "z_low":
             continue  # the ground
         align = "right" if side in ("x_high", "y_high") else "left"
+        # The picture is seen from -y.
+        limits, span = (axis.get_xlim(), axis.axvspan) if direction == "x" \
+            else (axis.get_ylim(), axis.axhspan)
         if direction == "y":
-            # The picture is seen from -y.
             words += ", behind" if end == "high" else ", before it"
+        elif limits[0] < (place := float(re.search(
+                r"= (\S+) m", words)[1])) < limits[1]:
+            span(place, limits[end == "high"], color=SOLID, linewidth=0.)
         else:
-            low, high = axis.get_xlim() if direction == "x" \
-                else axis.get_ylim()
-            place = float(re.search(r"= (\S+) m", words)[1])
-            if low < place < high:
-                span = axis.axvspan if direction == "x" else axis.axhspan
-                span(place, high if end == "high" else low, color=SOLID,
-                     linewidth=0.)
-            else:
-                arrow = {"x_low": "←", "x_high": "→", "z_high": "↑"}[side]
-                words = f"{words} {arrow}" if align == "right" \
-                    else f"{arrow} {words}"
+            arrow = {"x_low": "←", "x_high": "→", "z_high": "↑"}[side]
+            words = f"{words} {arrow}" if align == "right" else f"{arrow} {words}"
         told[align].append(words)
     for align, lines in told.items():
         axis.annotate("\n".join(lines), (float(align == "right"), 1.), (0., 4.),
@@ -244,14 +225,16 @@ def _draw_walls(scene, axis):
 
 def _draw_charge(scene, axis, away, has_ground):
     """The charge, what it is and how high."""
-    charge, radius = scene.charge_place(), _charge_radius(scene)
+    charge, mass = scene.charge_place(), scene.charge_mass()
+    density = EXPLOSIVE_DENSITY.get(scene.explosive().lower(), 1600.)
+    radius = (3. * (mass or 1.) / (4. * np.pi * density)) ** (1. / 3.)
     sides = {"ha": "left" if away > 0. else "right",
              "textcoords": "offset points"}
     height = page.given(float(charge[2]), "m")
     axis.add_patch(Circle((charge[0], charge[2]), radius, zorder=4,
                           color=style.COLOURS[1]))
     _widen(axis, axis.annotate(
-        f"{page.given(scene.charge_mass(), 'kg')} {scene.explosive_name()}"
+        f"{page.given(mass, 'kg')} {scene.explosive_name()}"
         + ("" if has_ground else f"\n{height} above the ground"),
         (charge[0], charge[2] + radius), (6. * away, 6.), va="bottom", **sides))
     if has_ground:
@@ -268,12 +251,6 @@ def _widen(axis, label):
         box = label.get_window_extent().transformed(axis.transData.inverted())
         left, right = axis.get_xlim()
         axis.set_xlim(min(left, box.x0), max(right, box.x1))
-
-
-def _charge_radius(scene):
-    density = EXPLOSIVE_DENSITY.get(scene.explosive().lower(), 1600.)
-    return (3. * (scene.charge_mass() or 1.)
-            / (4. * np.pi * density)) ** (1. / 3.)
 
 
 def _draw_ways(scene, axis, away, has_ground):
@@ -293,9 +270,9 @@ def _draw_ways(scene, axis, away, has_ground):
                   color=style.COLOURS[0])
     if not has_ground or _ground_is_hidden(scene):
         return
-    bent = np.linalg.norm(charge * np.array([1., 1., -1.]) - target)
-    part = charge[2] / (charge[2] + target[2])
-    ground = charge[0] + part * (target[0] - charge[0])
+    bent = np.linalg.norm(charge * [1., 1., -1.] - target)
+    ground = charge[0] + charge[2] / (charge[2] + target[2]) * (
+        target[0] - charge[0])
     axis.plot([charge[0], ground, target[0]], [charge[2], 0., target[2]],
               linestyle="--", **line)
     axis.annotate(f"{page.given(bent, 'm', 3)} by the ground",
@@ -303,13 +280,15 @@ def _draw_ways(scene, axis, away, has_ground):
                   va="center", color="black", fontsize=9)
 
 
-class Event:
+class Event(NamedTuple):
     """Something that happened: a bar from begin to end, or a moment."""
-
-    def __init__(self, lane, what, begin, end=None, mark=None, detail=""):
-        self.lane, self.what, self.begin, self.end = lane, what, begin, end
-        self.mark, self.detail = mark, detail
-        self.is_cut = False  # whether it continues after the run
+    lane: str
+    what: str
+    begin: float
+    end: float = None
+    mark: float = None
+    detail: str = ""
+    is_cut: bool = False  # whether it continues after the run
 
     def last(self):
         """The last of its times [s]."""
@@ -319,52 +298,44 @@ class Event:
 
 def events(scene):
     """All events, by lanes: in the air, on the skin, in the tissue."""
-    found = [Event("air", "detonation", 0.)]
-    found += _hand_overs(scene)
-    found += _skin_events(scene)
-    found += _tissue_events(scene)
-    return found
-
-
-def _hand_overs(scene):
-    """Ends of the stages in fewer dimensions: the first is before the front
-    meets the ground, another before it meets the body."""
-    found = re.findall(
+    # The first stage ends before the front meets the ground, another before it
+    # meets the body.
+    hand_overs = re.findall(
         r"first stage ends at (\S+) s with its front at (\S+) m",
         scene.blast.log())
-    return [Event("air", f"front {float(radius):.2f} m from the charge",
-                  float(time), detail="end of a first stage in fewer "
-                  "dimensions")
-            for time, radius in found]
+    return [Event("air", "detonation", 0.), *(
+        Event("air", f"front {float(radius):.2f} m from the charge", float(time),
+              detail="end of a first stage in fewer dimensions")
+        for time, radius in hand_overs),
+            *_skin_events(scene), *_tissue_events(scene)]
 
 
 def _skin_events(scene):
     gauges = scene.blast.table("load_gauges.csv")
     found = []
-    if gauges is None:
-        return found
-    time = gauges["time"]
-    for name, measures in scene.gauge_measures().items():
+    for name, measures in scene.gauge_measures().items() if gauges else ():
         if measures["peak"] <= 0. or name not in gauges:
             continue
-        _, second = signals.peaks_of_steps(time, gauges[name], measures)
+        _, second = signals.peaks_of_steps(gauges["time"], gauges[name],
+                                           measures)
         found.append(Event(
             "skin", name, measures["arrival"],
             measures["arrival"] + measures["positive phase"],
             second and second[0],
             f"peak {page.quantity(measures['peak'], 'Pa')}, impulse "
             + page.limit(measures["impulse"], measures["cut off"] > 0.)
-            + page.quantity(measures["impulse"], "Pa s")))
-        found[-1].is_cut = measures["cut off"] > 0.
+            + page.quantity(measures["impulse"], "Pa s"),
+            measures["cut off"] > 0.))
     return sorted(found, key=lambda event: event.begin)
 
 
 def _tissue_events(scene):
-    probes = scene.biomechanics.table("probes.csv")
-    found = []
+    probes, found = scene.biomechanics.table("probes.csv"), []
     if probes is None:
         return found
-    time = probes["time"] + _offset(scene)
+    # The recorded time at which biomechanics begins.
+    time = probes["time"] + (scene.biomechanics.parameter(
+        "Loads/Recorded/Time offset") or [0.])[0]
     for place in tissue_places.find_places(scene):
         values = place.pressure(probes)
         begin = signals.arrival(time, values)
@@ -389,19 +360,13 @@ def _slow_rise(time, values):
         f"; the arrival is the middle of a rise of {page.quantity(span, 's', 2)}"
 
 
-def _offset(scene):
-    """Recorded time at which biomechanics begins [s]."""
-    return (scene.biomechanics.parameter("Loads/Recorded/Time offset")
-            or [0.])[0]
-
-
 def timeline(scene):
     """Picture and table of the events."""
     found = events(scene)
     if len(found) < 2:
         return [page.missing("histories of the blast and of biomechanics")]
-    rows = []
-    for event in sorted(found, key=lambda event: event.begin):
+    rows, in_order = [], sorted(found, key=lambda event: event.begin)
+    for event in in_order:
         if event.lane == "skin":
             text = f"{event.what}: the wave arrives"
             if event.mark is not None:
@@ -424,8 +389,7 @@ def timeline(scene):
                 [(event.what, event.lane, *(
                     "" if time is None else page.Rounded("", time) for time in
                     (event.begin, None if event.is_cut else event.end,
-                     event.mark)), event.detail)
-                 for event in sorted(found, key=lambda event: event.begin)])))]
+                     event.mark)), event.detail) for event in in_order])))]
 
 
 def _timeline_chart(scene, found):
@@ -473,9 +437,9 @@ def _unnamed(scene):
 def _rises(scene):
     """Durations of the first rise at all gauges that the wave reaches [s]."""
     gauges = scene.blast.table("load_gauges.csv")
-    return [] if gauges is None else [
-        signals.rise_time(gauges["time"], gauges[name])
-        for name in gauges.others("time") if gauges[name].max() > 0.]
+    return [signals.rise_time(gauges["time"], gauges[name])
+            for name in (gauges.others("time") if gauges else ())
+            if gauges[name].max() > 0.]
 
 
 def _draw_timeline(found):
@@ -496,9 +460,9 @@ def _draw_timeline(found):
                       color=style.COLOURS[1], marker="|", linewidth=2.)
             axis.plot(1e3 * event.mark, row, marker="o", markersize=4,
                       color=style.COLOURS[1])
-    air = [event for event in found if event.lane == "air"]
     groups = []  # letters of nearly equal times, and the first of these
-    for letter, event in zip("abcdefgh", air):
+    for letter, event in zip("abcdefgh", (event for event in found
+                                          if event.lane == "air")):
         axis.axvline(1e3 * event.begin, color="black", linewidth=0.9,
                      linestyle=":")
         if groups and event.begin - groups[-1][1] < \
@@ -512,8 +476,7 @@ def _draw_timeline(found):
                       ha="center" if len(letters) == 1 else "left",
                       annotation_clip=False)
     axis.set_yticks(range(len(rows)), [event.what for event in rows])
-    axis.set_ylim(len(rows) - 0.4, -0.8)
-    axis.set_xlim(0., 1.03e3 * last)
-    axis.set_xlabel("time since the detonation [ms]")
+    axis.set(xlim=(0., 1.03e3 * last), ylim=(len(rows) - 0.4, -0.8),
+             xlabel="time since the detonation [ms]")
     axis.grid(axis="y", visible=False)
     return figure
