@@ -13,6 +13,7 @@ bash, OUTPUT/completions/PROGRAM.
 import datetime
 import json
 import os
+import pathlib
 import re
 import shlex
 import subprocess
@@ -21,7 +22,7 @@ import textwrap
 
 import jinja2
 
-HERE = os.path.dirname(os.path.abspath(__file__))
+HERE = pathlib.Path(__file__).absolute().parent
 
 
 def roff(text, width=78):
@@ -44,9 +45,8 @@ def printed(program, *words):
 
 def date_of_changes():
     """Date of the newest section of the changelog, as YYYY-MM-DD."""
-    with open(os.path.join(HERE, "..", "..", "CHANGELOG.md"),
-              encoding="utf-8") as file:
-        words = re.search(r"^### .*\((.+)\)$", file.read(), re.M)[1]
+    changes = (HERE.parents[1] / "CHANGELOG.md").read_text(encoding="utf-8")
+    words = re.search(r"^### .*\((.+)\)$", changes, re.M)[1]
     return datetime.datetime.strptime(words, "%B %d, %Y").date().isoformat()
 
 
@@ -100,8 +100,7 @@ def main(folder, output):
         undefined=jinja2.StrictUndefined)
     environment.filters.update(roff=roff, literal=literal, quoted=shlex.quote,
                                completed=completed_entries)
-    with open(os.path.join(HERE, "programs.json"), encoding="utf-8") as file:
-        programs = json.load(file)
+    programs = json.loads((HERE / "programs.json").read_text(encoding="utf-8"))
     for program, about in programs.items():
         facts = facts_of(program, folder, about)
         others = [name for name in programs if name != program]
@@ -109,12 +108,10 @@ def main(folder, output):
                 ("program.1", f"man1/{program}.1"),
                 ("parameters.5", f"man5/contrecoup-{program}.5"),
                 ("completion.bash", f"completions/{program}")]:
-            path = os.path.join(output, target)
-            os.makedirs(os.path.dirname(path), exist_ok=True)
-            text = environment.get_template(template + ".j2").render(
-                facts, others=others)
-            with open(path, "w", encoding="utf-8") as file:
-                file.write(text)
+            path = pathlib.Path(output, target)
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(environment.get_template(template + ".j2").render(
+                facts, others=others), encoding="utf-8")
 
 
 if __name__ == "__main__":

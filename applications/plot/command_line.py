@@ -28,15 +28,11 @@ def load(name):
 
 def usage(main):
     """The arguments of a command: FOLDER, [FOLDER] or [FOLDERS...]."""
-    words = []
-    for parameter in inspect.signature(main).parameters.values():
-        word = parameter.name.upper()
-        if parameter.kind is parameter.VAR_POSITIONAL:
-            word = f"[{word}...]"
-        elif parameter.default is not parameter.empty:
-            word = f"[{word}]"
-        words.append(word)
-    return " ".join(words)
+    return " ".join(
+        ("[{}...]" if parameter.kind is parameter.VAR_POSITIONAL else
+         "{}" if parameter.default is parameter.empty else "[{}]"
+         ).format(name.upper())
+        for name, parameter in inspect.signature(main).parameters.items())
 
 
 def values_of(main, arguments):
@@ -74,16 +70,13 @@ def run(arguments, documentation=""):
     if any(word in HELP for word in arguments):
         print(command.__doc__.strip())
         return 0
-    try:
-        values = values_of(command.main, arguments)
-    except TypeError:
-        print(f"usage: {program} {usage(command.main)}", file=sys.stderr)
-        return 1
-    except BrokenInput as problem:
-        print(f"{program}: {problem}", file=sys.stderr)
-        return 1
     style.set_up()
     try:
+        try:
+            values = values_of(command.main, arguments)
+        except TypeError:
+            print(f"usage: {program} {usage(command.main)}", file=sys.stderr)
+            return 1
         command.main(*values)
     except (BrokenInput, OSError) as problem:
         print(f"{program}: {problem}", file=sys.stderr)

@@ -24,12 +24,6 @@ def required_dip(least_pressure):
     return REACHED * least_pressure
 
 
-def first_time(values, threshold):
-    """Number of the first value of that size; None without one."""
-    beyond = np.abs(values) > threshold
-    return int(np.argmax(beyond)) if beyond.any() else None
-
-
 def swings(values):
     """Numbers of the highest and lowest values, in turn: a swing begins where
     the pressure first has its sign by PROMINENT, and ends where the next
@@ -61,8 +55,9 @@ def judge(coup, contrecoup, step, dip=CAVITATION):
     """Findings of the experiments, those of these pressures [Pa] at equal
     @p step [s], and whether they agree: rows of two texts and a truth value.
     @p dip is required_dip()."""
-    begins = [first_time(p, ONSET) for p in (coup, contrecoup)]
-    delay = None if None in begins else 1e3 * step * (begins[1] - begins[0])
+    beyond = [np.abs(pressure) > ONSET for pressure in (coup, contrecoup)]
+    first, second = map(np.argmax, beyond)
+    delay = 1e3 * step * (second - first) if all(map(np.any, beyond)) else None
     first = [contrecoup[i] for i in swings(contrecoup)[:1]]
     peaks, dips = peaks_and_dips(contrecoup)
     n_below = int(np.sum(dips < dip))
@@ -85,8 +80,7 @@ def judge(coup, contrecoup, step, dip=CAVITATION):
 
 def filtered(time, pressures, bandwidth=BANDWIDTH):
     """Time at equal steps, and pressures by name below @p bandwidth [Hz]."""
-    grid = time
-    result = {}
+    grid, result = time, {}
     for name, values in pressures.items():
         grid, result[name] = signals.low_pass(time, values, bandwidth)
     return grid, result

@@ -54,11 +54,10 @@ def turned_axes(entries):
     angles = files.points_of(entries.get("Body/Rotation"))
     axes_found = np.eye(3)
     for axis, angle in enumerate(np.radians(angles[0]) if len(angles) else ()):
-        first, second = (axis + 1) % 3, (axis + 2) % 3
+        turned = np.ix_(*[[(axis + 1) % 3, (axis + 2) % 3]] * 2)
         turn = np.eye(3)
-        turn[first, first] = turn[second, second] = np.cos(angle)
-        turn[second, first] = np.sin(angle)
-        turn[first, second] = -np.sin(angle)
+        turn[turned] = [[np.cos(angle), -np.sin(angle)],
+                        [np.sin(angle), np.cos(angle)]]
         axes_found = axes_found @ turn.T
     # Quarters of a turn are exact.
     return np.where(np.abs(axes_found) < 1e-12, 0., axes_found)
@@ -71,8 +70,8 @@ def is_person(scene):
 
 def words(scene):
     """The person in words: "a standing person of 1.756 m and 78.5 kg"."""
-    known = (scene.facts.get("person") or {}).get("description")
-    return known or f"a body ({scene.facts.get('body') or 'unknown'})"
+    return (scene.facts.get("person") or {}).get("description") \
+        or f"a body ({scene.facts.get('body') or 'unknown'})"
 
 
 def place_of_charge(scene):
@@ -103,8 +102,7 @@ def elevation_of_charge(scene):
 
 
 def _angle(scene, name):
-    known = scene.facts.get("person") or {}
-    return round(files.as_number(known.get("charge_" + name)) or 0.)
+    return round((scene.facts.get("person") or {}).get("charge_" + name) or 0.)
 
 
 def _degrees(angle):

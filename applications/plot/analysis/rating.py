@@ -23,8 +23,7 @@ Rating = collections.namedtuple("Rating",
 def corridor(reference, values):
     """1 within the inner corridor around the reference, 0 beyond the outer one,
     the square of a straight line between: the mean over time."""
-    size = np.abs(reference).max()
-    apart = np.abs(values - reference) / size
+    apart = np.abs(values - reference) / np.abs(reference).max()
     return float(np.mean(np.clip((OUTER - apart) / (OUTER - INNER), 0.,
                                  1.)**2))
 
@@ -47,11 +46,10 @@ def best_shift(reference, values):
     smallest such shift."""
     most = int(LARGEST_SHIFT * len(reference))
     shifts = sorted(range(-most, most + 1), key=abs)
-    found = [correlation(*overlap(reference, values, shift))
-             for shift in shifts]
+    found = np.array([correlation(*overlap(reference, values, shift))
+                      for shift in shifts])
     # Equal but for round-off.
-    return next(shift for shift, value in zip(shifts, found)
-                if value > max(found) - 1e-12)
+    return shifts[np.argmax(found > found.max() - 1e-12)]
 
 
 def warped(one, other, width):

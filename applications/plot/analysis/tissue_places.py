@@ -2,8 +2,6 @@
 # Copyright (C) 2026 by the Contrecoup authors
 """Names of the places in the tissue where biomechanics took histories."""
 
-import os
-
 import numpy as np
 
 from plot.analysis import person
@@ -27,14 +25,10 @@ GIVEN = {"coup": ("brain, coup", BRAIN),
 
 def names(scene):
     """Names of tissues by their numbers, with those that the user defined."""
-    known = dict(NAMES)
     path = scene.anatomy.path("parts.csv")
-    if os.path.exists(path):
-        with files.reading(path), open(path, newline="",
-                                       encoding="utf-8") as file:
-            known.update((int(row["tissue"]), row["tissue name"])
-                         for row in files.rows_of(file))
-    return known
+    with files.reading(path):
+        return NAMES | {int(row["tissue"]): row["tissue name"]
+                        for row in files.read_rows(path)}
 
 
 class Place:
@@ -68,11 +62,10 @@ def is_thin(scene, name):
 def holes(scene):
     """A sentence on the layers in which the elements leave holes; none on the
     spinal cord, which nothing is judged by."""
-    begin = "thin_"
-    found = [name[len(begin):].replace("_", " ")
+    found = [name.removeprefix("thin_").replace("_", " ")
              for name in scene.biomechanics.summary.get("checks") or {}
-             if name.startswith(begin) and name != begin + "spinal_cord"
-             and is_thin(scene, name[len(begin):])]
+             if name.startswith("thin_") and name != "thin_spinal_cord"
+             and is_thin(scene, name.removeprefix("thin_"))]
     return [f"The elements leave holes in {' and '.join(found)}: pressures and "
             "strains inside and the motion of the head are those of such a body; "
             "estimated errors do not include it (entry Scene/Element size)."] \
@@ -89,8 +82,7 @@ def thin_note(titles):
 def find_places(scene):
     """The probes of biomechanics with names, marked where elements are too
     large for their tissues."""
-    places = _named_places(scene)
-    called = names(scene)
+    places, called = _named_places(scene), names(scene)
     for place in places:
         # The skull is a layer, but not the rest of the skeleton.
         if not place.remark and (
@@ -125,7 +117,10 @@ def _named_places(scene):
                 + " lung"
         elif place.tissue in (SOFT, SKIN, SKELETON):
             _name_by_skin(place, known)
-    _number_doubles(places)
+    for name in {place.name for place in places}:
+        same = [place for place in places if place.name == name]
+        for number, place in enumerate(same if len(same) > 1 else (), 1):
+            place.name = f"{name} {number}"
     return places
 
 
@@ -144,9 +139,7 @@ def _tissues(scene, points):
     best = np.full(len(points), np.inf)
     tissues = np.zeros(len(points), dtype=int)
     fields = scene.field_list()
-    if not fields:
-        return tissues
-    for piece in fields[0][1]:
+    for piece in fields[0][1] if fields else ():
         mesh = scene.field([piece])[0]
         cells = mesh["connectivity"].reshape(-1, 8)
         # Elements are nearly cubes: two opposite corners give the middle.
@@ -172,8 +165,7 @@ def _name_brain(scene, places):
     brain.sort(key=lambda place: -np.dot(place.point - middle, way))
     for place in brain:
         place.name = "brain, inside"
-    brain[0].name = "brain, coup"
-    brain[-1].name = "brain, contrecoup"
+    brain[0].name, brain[-1].name = "brain, coup", "brain, contrecoup"
 
 
 def _name_by_skin(place, known):
@@ -186,17 +178,6 @@ def _name_by_skin(place, known):
         place.name = f"{NAMES[place.tissue]} at the {name}"
 
 
-def _number_doubles(places):
-    for name in {place.name for place in places}:
-        same = [place for place in places if place.name == name]
-        if len(same) > 1:
-            for number, place in enumerate(same, 1):
-                place.name = f"{name} {number}"
-
-
 def named(places, end):
     """The place whose name ends like this, or None."""
-    for place in places:
-        if place.name.endswith(end):
-            return place
-    return None
+    return next((place for place in places if place.name.endswith(end)), None)

@@ -4,11 +4,10 @@
 ends."""
 
 import os
-import re
 
 import numpy as np
 
-from plot.readers import planes, tables
+from plot.readers import files, planes, tables
 
 EXPONENT = 1.4   # of air
 DISTURBED = 1.1  # times the pressure at rest
@@ -29,18 +28,15 @@ def front(pressure, positions, threshold):
 def sphere(plane, height, threshold):
     """Radius of the free-air blast, from rays slightly upwards, or None if
     it has left the plane or not left the charge."""
-    heights = np.linspace(plane.lower[1], plane.upper[1],
-                          plane.values.shape[0])
-    ranges = plane.positions()
+    ranges, heights = plane.positions(), plane.positions(1)
     step = ranges[1] - ranges[0]
     radii = []
     for angle in np.radians(np.arange(5., 26., 2.)):
         along = np.arange(0., plane.upper[0] / np.cos(angle), 0.5 * step)
         x, y = along * np.cos(angle), height + along * np.sin(angle)
         inside = (x < ranges[-1]) & (y < heights[-1]) & (x > ranges[0])
-        column = (x[inside] - ranges[0]) / step
-        row = (y[inside] - heights[0]) / step
-        values = bilinear(plane.values, row, column)
+        values = bilinear(plane.values, (y[inside] - heights[0]) / step,
+                          (x[inside] - ranges[0]) / step)
         radius = front(values, along[inside], threshold)
         if radius is not None:
             radii.append(radius)
@@ -64,11 +60,10 @@ def triple_point(plane, height, background):
     ranges = plane.positions()
     step = ranges[1] - ranges[0]
     stem = []  # height, lead, range
-    for row, y in enumerate(np.linspace(plane.lower[1], plane.upper[1],
-                                        plane.values.shape[0])):
+    for y, values in zip(plane.positions(1), plane.values):
         if y >= height:
             break
-        place = front(plane.values[row], ranges, threshold)
+        place = front(values, ranges, threshold)
         if place is None:
             return None
         lead = place - np.sqrt(max(radius**2 - (height - y)**2, 0.))
@@ -85,14 +80,11 @@ def triple_point(plane, height, background):
 
 def ground_probes(folder):
     """Numbers and ranges of the probes on the ground, off the axis."""
-    with open(os.path.join(folder, "parameters.prm"),
-              encoding="utf-8") as file:
-        text = file.read()
-    entry = re.search(r"^subsection Probes$.*?^  set Points *=(.*?)$", text,
-                      re.MULTILINE | re.DOTALL)
-    points = entry[1].split(";") if entry and entry[1].strip() else []
-    places = [[float(word) for word in point.split(",")] for point in points]
-    return [(number, x) for number, (x, y) in enumerate(places, 1)
+    entry = files.read_parameters(os.path.join(folder, "parameters.prm")
+                                  ).get("Probes/Points", "")
+    points = [[float(word) for word in point.split(",")]
+              for point in entry.split(";") if point.strip()]
+    return [(number, x) for number, (x, y) in enumerate(points, 1)
             if y == 0. and x > 0.]
 
 

@@ -22,17 +22,6 @@ from plot.analysis import coup
 from plot.figures import body_cuts, style
 
 
-def least_pressure(output_folder):
-    """Least pressure of the tissues that cavitate [Pa]; None without such."""
-    path = os.path.join(output_folder, "parameters.prm")
-    if not os.path.exists(path):
-        return None
-    with files.reading(path):
-        entries = files.read_parameters(path)
-        return float(entries["Materials/Least pressure"]) \
-            if entries.get("Materials/Cavitating tissues") else None
-
-
 def main(output_folder, kilohertz: float = 1e-3 * coup.BANDWIDTH):
     time, pressures = tables.probe_pressures(
         output_folder, ["coup", "middle", "contrecoup"])
@@ -41,11 +30,15 @@ def main(output_folder, kilohertz: float = 1e-3 * coup.BANDWIDTH):
         raise files.BrokenInput(f"KILOHERTZ must be above 0 and below "
                                 f"{largest:.0f}, half the rate of the probes")
     time, pressures = coup.filtered(time, pressures, 1e3 * kilohertz)
-    dip = coup.required_dip(least_pressure(output_folder))
+    path = os.path.join(output_folder, "parameters.prm")
+    entries = files.read_parameters(path)
+    with files.reading(path):
+        dip = coup.required_dip(
+            float(entries["Materials/Least pressure"])
+            if entries.get("Materials/Cavitating tissues") else None)
     for fact, found, holds in coup.judge(
-            pressures["coup"], pressures["contrecoup"], time[1] - time[0],
-            dip):
+            pressures["coup"], pressures["contrecoup"], time[1] - time[0], dip):
         print(f"{fact:40} {found:64} {'yes' if holds else 'no'}")
-    body_cuts.draw_probes(
-        output_folder, time, pressures, {"contrecoup": 1e-3 * dip},
-        os.path.join(style.pictures_folder(output_folder), "coup.png"))
+    body_cuts.draw_probes(output_folder, time, pressures,
+                          {"contrecoup": 1e-3 * dip},
+                          style.picture(output_folder, "coup"))

@@ -20,22 +20,21 @@ BY_DIGITS = [0, 1, 3, 2, 4, 5, 7, 6]
 def list_fields(folder):
     """Times and the files of each output, without planes and skin of a
     blast."""
-    with open(os.path.join(folder, "fields.pvd"), encoding="utf-8") as file:
-        found = re.findall(r'timestep="([^"]*)"[^>]*file="([^"]*)"',
-                           file.read())
     result = []
-    for time, name in found:
+    for time, name in _found_in(os.path.join(folder, "fields.pvd"),
+                                r'timestep="([^"]*)"[^>]*file="([^"]*)"'):
         if name.endswith((".vti", ".vtp")):
             continue
         path = os.path.join(folder, name)
-        pieces = [path]
-        if path.endswith(".pvtu"):
-            with open(path, encoding="utf-8") as file:
-                pieces = [os.path.join(os.path.dirname(path), piece)
-                          for piece in re.findall(r'Source="([^"]*)"',
-                                                  file.read())]
-        result.append((float(time), pieces))
+        result.append((float(time), [path] if not path.endswith(".pvtu") else [
+            os.path.join(os.path.dirname(path), piece)
+            for piece in _found_in(path, r'Source="([^"]*)"')]))
     return result
+
+
+def _found_in(path, pattern):
+    with open(path, encoding="utf-8") as file:
+        return re.findall(pattern, file.read())
 
 
 def cut(mesh, place, normal=1):
@@ -59,30 +58,18 @@ def cut(mesh, place, normal=1):
             np.concatenate([found[~is_tilted], found[is_tilted][owners]]))
 
 
-def read_turned(piece, axes):
-    """A file with its points along some axes, which are rows."""
-    mesh = vtk_file.read(piece)
-    if not np.array_equal(axes, np.eye(3)):
-        mesh["points"] = mesh["points"] @ np.transpose(axes)
-    return mesh
-
-
 def cut_fields(fields, place, axes=np.eye(3)):
     """Time of each output, and, of the cells that the plane at a place along
     the second axis cuts, polygons, of the two others, and pressures, averaged
     ones if there are."""
     panels = []
     for time, pieces in fields:
-        polygons, values = [], []
-        for piece in pieces:
-            mesh = read_turned(piece, axes)
-            shape, found = cut(mesh, place)
-            polygons.append(shape)
-            # Averages know nothing of what alternates from element to element.
-            name = "averaged_pressure" if "averaged_pressure" in mesh \
-                else "pressure"
-            values.append(mesh[name][found])
-        panels.append((time, np.concatenate(polygons), np.concatenate(values)))
+        # Averages know nothing of what alternates from element to element.
+        found = cut_values(pieces, place, "averaged_pressure", axes) \
+            or cut_values(pieces, place, "pressure", axes)
+        if found is None:
+            raise KeyError("pressure")
+        panels.append((time, *found))
     return panels
 
 
@@ -91,9 +78,11 @@ def cut_values(pieces, place, name, axes=np.eye(3)):
     None for a quantity that it does not have."""
     polygons, values = [], []
     for piece in pieces:
-        mesh = read_turned(piece, axes)
+        mesh = vtk_file.read(piece)
         if name not in mesh:
             return None
+        if not np.array_equal(axes, np.eye(3)):
+            mesh["points"] = mesh["points"] @ np.transpose(axes)
         shape, found = cut(mesh, place)
         polygons.append(shape)
         values.append(mesh[name][found])

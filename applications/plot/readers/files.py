@@ -42,6 +42,19 @@ def read_json(path, shape):
     return content
 
 
+def read_text(path):
+    with reading(path), open(path, encoding="utf-8") as file:
+        return file.read()
+
+
+def read_rows(path):
+    """Its rows_of(), none without the file."""
+    if not os.path.exists(path):
+        return []
+    with open(path, newline="", encoding="utf-8") as file:
+        return list(rows_of(file))
+
+
 def rows_of(file):
     """The rows of a CSV file with a header, by its names."""
     reader = csv.DictReader(file, strict=True)
@@ -63,15 +76,17 @@ def as_number(value):
 
 def points_of(text):
     """Points "x, y, z; x, y, z" as rows."""
-    rows = [[float(x) for x in part.split(",")]
-            for part in re.split(r";", text or "") if part.strip()]
-    return np.array(rows).reshape(-1, 3)
+    return np.array([[float(x) for x in part.split(",")] for part in
+                     (text or "").split(";") if part.strip()]).reshape(-1, 3)
 
 
 def read_parameters(path):
-    """All entries of a parameter file as "Section/Entry"."""
+    """All entries of a parameter file as "Section/Entry", none without the
+    file."""
     entries, sections = {}, []
-    with open(path, encoding="utf-8") as file:
+    if not os.path.exists(path):
+        return entries
+    with reading(path), open(path, encoding="utf-8") as file:
         for line in file:
             line = line.split("#")[0].strip()
             if line.startswith("subsection "):

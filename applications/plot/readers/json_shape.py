@@ -9,65 +9,57 @@ import math
 
 NUMBER, WORDS, TRUTH = "a number", "words in quotes", "true or false"
 POINT = [NUMBER, 3]
-_ASSUMPTION = {"decision": WORDS, "quantity": WORDS, "unit": WORDS,
-               "estimate": NUMBER, "measured": NUMBER, "at_most": NUMBER,
-               "at_least": NUMBER, "holds": TRUTH, "entry": WORDS}
+
+
+def _all(kind, names):
+    return dict.fromkeys(names.split(), kind)
+
+
+_ASSUMPTION = {**_all(WORDS, "decision quantity unit entry"),
+               **_all(NUMBER, "estimate measured at_most at_least"),
+               "holds": TRUTH}
 _VALUE = {"value": NUMBER, "unit": WORDS}
-_ROW = {"item": WORDS, "decision": WORDS, "quantity": WORDS,
-        "estimate": WORDS, "found": WORDS, "limit": WORDS, "holds": TRUTH,
-        "entry": WORDS}
+_ROW = {**_all(WORDS, "item decision quantity estimate found limit entry"),
+        "holds": TRUTH}
+# By tables for the open and before a wall.
+_ANSWER = _all({"*": NUMBER}, "in_the_open before_a_wall")
 # A list is one of such things, with a number behind it of so many; "*" stands
 # for any other name.
 SCENE = {
-    "application": WORDS, "format": NUMBER, "version": WORDS, "git_revision": WORDS,
-    "title": WORDS, "question": WORDS, "accuracy": WORDS, "explosive": WORDS,
-    "explosive_title": WORDS, "charge_mass": NUMBER, "charge_place": POINT,
-    "probe_beside_body": POINT, "nearest_skin": POINT,
-    "distance": NUMBER, "height": NUMBER, "distance_along_x": NUMBER,
-    "person": {"description": WORDS, "length": NUMBER, "mass": NUMBER,
-               "posture": WORDS, "forward": POINT, "left": POINT, "up": POINT,
-               "side_to_charge": WORDS, "charge_azimuth": NUMBER,
-               "charge_elevation": NUMBER},
-    "tables": {"equivalence_of_pressure": NUMBER,
-               "equivalence_of_impulse": NUMBER, "is_published": TRUTH,
-               "source": WORDS, "burst": WORDS, "body_mass": NUMBER,
-               "answer": {"arrival": NUMBER, "impulse": NUMBER,
-                          "duration": NUMBER, "in_the_open": {"*": NUMBER},
-                          "before_a_wall": {"*": NUMBER}},
-               **{place: {"distance": NUMBER, "in_the_open": {"*": NUMBER},
-                          "before_a_wall": {"*": NUMBER}}
-                  for place in ("trunk", "ears")}},
-    "table_comparison": [{"name": WORDS, "place": WORDS, "unit": WORDS,
-                          "run": NUMBER, "run_error": NUMBER, "tables": NUMBER,
-                          "tables_error": NUMBER, "differs": TRUTH,
-                          "cut_off": TRUTH}],
-    "reflections": [{"place": WORDS, "by": WORDS, "least_delay": NUMBER,
-                     "largest_delay": NUMBER, "merges": TRUTH,
-                     "peak_rise": NUMBER, "impulse_rise": NUMBER}],
-    "changes": [{"entry": WORDS, "value": WORDS, "before": WORDS}],
-    "warnings": [WORDS],
-    "body": WORDS, "body_box": [POINT, 2],
-    "domain": [POINT, 2], "symmetry": WORDS, "end_time": NUMBER,
-    "cell_size_at_body": NUMBER, "element_size": NUMBER,
-    "coarser_run": {"*": NUMBER},
+    **_all(WORDS, "application version git_revision title question accuracy "
+           "explosive explosive_title body symmetry command"),
+    **_all(NUMBER, "format charge_mass distance height distance_along_x end_time "
+           "cell_size_at_body element_size ranks"),
+    **_all(POINT, "charge_place probe_beside_body nearest_skin"),
+    "person": {**_all(WORDS, "description posture side_to_charge"),
+               **_all(NUMBER, "length mass charge_azimuth charge_elevation"),
+               **_all(POINT, "forward left up")},
+    "tables": {**_all(WORDS, "source burst"), "is_published": TRUTH,
+               **_all(NUMBER, "equivalence_of_pressure equivalence_of_impulse "
+                      "body_mass"),
+               "answer": {**_all(NUMBER, "arrival impulse duration"), **_ANSWER},
+               **_all({"distance": NUMBER, **_ANSWER}, "trunk ears")},
+    "table_comparison": [{**_all(WORDS, "name place unit"),
+                          **_all(NUMBER, "run run_error tables tables_error"),
+                          **_all(TRUTH, "differs cut_off")}],
+    "reflections": [{**_all(WORDS, "place by"), "merges": TRUTH,
+                     **_all(NUMBER, "least_delay largest_delay peak_rise "
+                            "impulse_rise")}],
+    "changes": [_all(WORDS, "entry value before")], "warnings": [WORDS],
+    "body_box": [POINT, 2], "domain": [POINT, 2], "coarser_run": {"*": NUMBER},
     "tissue_places": [{"name": WORDS, "place": POINT}],
-    "command": WORDS, "ranks": NUMBER,
-    "stages": [{"name": WORDS, "status": WORDS, "folder": WORDS,
-                "wall_seconds": NUMBER, "core_seconds": NUMBER,
-                "peak_memory": NUMBER, "disk": NUMBER,
-                "warnings": [WORDS], "hash": WORDS}],
+    "stages": [{**_all(WORDS, "name status folder hash"),
+                **_all(NUMBER, "wall_seconds core_seconds peak_memory disk"),
+                "warnings": [WORDS]}],
     "plan": [_ROW], "audit": [_ROW], "remarks": [WORDS]}
 SUMMARY = {
-    "application": WORDS, "format": NUMBER, "version": WORDS, "git_revision": WORDS,
-    "status": WORDS, "cells": NUMBER, "steps": NUMBER, "ranks": NUMBER,
-    "nodes": NUMBER, "unknowns": NUMBER, "wall_seconds": NUMBER,
-    "performance": {"*": NUMBER}, "conservation": {"*": NUMBER},
-    "errors": {"*": NUMBER}, "results": {"*": _VALUE},
-    "checks": {"*": _VALUE}, "assumptions": {"*": _ASSUMPTION},
-    "organs": [{"name": WORDS, "volume": NUMBER, "reference_volume": NUMBER,
-                "source": WORDS}],
-    "interruptions": [{"step": NUMBER, "time": NUMBER}],
-    "warnings": [WORDS]}
+    **_all(WORDS, "application version git_revision status"),
+    **_all(NUMBER, "format cells steps ranks nodes unknowns wall_seconds"),
+    **_all({"*": NUMBER}, "performance conservation errors"),
+    **_all({"*": _VALUE}, "results checks"), "assumptions": {"*": _ASSUMPTION},
+    "organs": [{**_all(WORDS, "name source"),
+                **_all(NUMBER, "volume reference_volume")}],
+    "interruptions": [_all(NUMBER, "step time")], "warnings": [WORDS]}
 
 
 def _refuse_number(text):
@@ -82,10 +74,6 @@ def parse(text):
     return content
 
 
-def _name(shape):
-    return "a list" if isinstance(shape, list) else "an object in braces"
-
-
 def _is_scalar(value, shape):
     if shape == NUMBER:
         return isinstance(value, (int, float)) and not isinstance(
@@ -97,11 +85,10 @@ def check(value, shape, name=""):
     """Raises ValueError where @p value is not of that shape."""
     if value is None:
         return
-    if isinstance(shape, (dict, list)):
-        if not isinstance(value, type(shape)):
-            raise ValueError(f'"{name}" must be {_name(shape)}')
-    elif not _is_scalar(value, shape):
-        raise ValueError(f'"{name}" must be {shape}')
+    kinds = {list: "a list", dict: "an object in braces"}
+    if not (isinstance(value, type(shape)) if type(shape) in kinds
+            else _is_scalar(value, shape)):
+        raise ValueError(f'"{name}" must be {kinds.get(type(shape), shape)}')
     if isinstance(shape, list):
         if len(shape) == 2 and len(value) != shape[1]:
             raise ValueError(f'"{name}" must have {shape[1]} items')

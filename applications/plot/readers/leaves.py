@@ -43,8 +43,7 @@ class Leaves:
                              values.reshape(-1, n, n).astype(float))
 
         self.density = means(density)
-        self.momentum_x, momentum_y = means(momentum[:, 0]), \
-            means(momentum[:, 1])
+        self.momentum_x, momentum_y = map(means, momentum.T)
         self.pressure = (gamma - 1.) * (means(energy) - 0.5 * (
             self.momentum_x**2 + momentum_y**2) / self.density)
         self.open = np.ones_like(self.density)

@@ -19,10 +19,8 @@ class Loads:
             formats.require_readable("loads", int(
                 self.file.attrs["format"].decode().split()[-1]))
         self.is_flat = self.file.attrs["units"].decode().startswith("m, m,")
-        self.centroids = self.file["centroid"][:]
-        self.normals = self.file["normal"][:]
-        self.areas = self.file["area"][:]
-        self.times = self.file["time"][:]
+        self.centroids, self.normals, self.areas, self.times = (
+            self.file[name][:] for name in ("centroid", "normal", "area", "time"))
         self._check()
         self.vertices, self.outlines = self._corners()
 
@@ -95,27 +93,20 @@ class Loads:
 
     def overpressure(self, time):
         """Sample that a time is in, for all facets."""
-        return self.file["overpressure"][:, self.index(time)]
-
-    def index(self, time):
-        return min(np.searchsorted(self.times, time), len(self.times) - 1)
+        return self.file["overpressure"][:, min(
+            np.searchsorted(self.times, time), len(self.times) - 1)]
 
     def places(self):
         """Names and places of the gauges."""
-        text = self.file.attrs.get("gauges", b"").decode()
-        places = {}
-        for entry in filter(None, text.split("; ")):
-            name, numbers = entry.split(":")
-            places[name] = np.array([float(x) for x in numbers.split(",")])
-        return places
+        entries = self.file.attrs.get("gauges", b"").decode().split("; ")
+        return {name: np.array([float(x) for x in numbers.split(",")])
+                for name, numbers in (entry.split(":")
+                                      for entry in filter(None, entries))}
 
 
 def symmetry_planes(folder):
     """Planes of symmetry of a run: axis and place."""
-    path = os.path.join(folder, "parameters.prm")
-    if not os.path.exists(path):
-        return []
-    entries = files.read_parameters(path)
+    entries = files.read_parameters(os.path.join(folder, "parameters.prm"))
     return [(axis, float(entries[f"Domain/{corner}"].split(",")[axis]))
             for axis, name in enumerate("xyz")
             for side, corner in (("low", "Lower corner"),

@@ -3,11 +3,10 @@
 """Profiles of one-dimensional runs, from their VTU files."""
 
 import os
-import xml.etree.ElementTree as xml
 
 import numpy as np
 
-from plot.readers import vtk_file
+from plot.readers import fields, vtk_file
 
 QUANTITIES = ("density", "velocity", "pressure", "products")
 MOST_TIMES = 6
@@ -17,36 +16,27 @@ class Profile:
     """Quantities at the points of a VTU file, in the order of x."""
 
     def __init__(self, path, time):
-        piece = xml.parse(path).find("UnstructuredGrid/Piece")
-        points = vtk_file.decode(piece.find("Points/DataArray"))
+        found = vtk_file.units_and_points(path)
+        _, points = found["points"]
         self.is_line = not np.any(points[:, 1:])
         order = np.argsort(points[:, 0], kind="stable")
         self.time = time
         self.x = points[order, 0]
-        self.values, self.units = {}, {}
-        for array in piece.findall("PointData/DataArray"):
-            name = array.get("Name")
-            if name in QUANTITIES:
-                self.values[name] = vtk_file.decode(array)[order, 0]
-                self.units[name] = array.get("units", "-")
+        self.values = {name: found[name][1][order, 0] for name in QUANTITIES
+                       if name in found}
+        self.units = {name: found[name][0] for name in self.values}
 
 
 def open_profiles(folder):
     """Profiles of a one-dimensional run, evenly spread; else none."""
-    collection = os.path.join(folder, "fields.pvd")
-    if not os.path.exists(collection):
+    if not os.path.exists(os.path.join(folder, "fields.pvd")):
         return []
-    entries = [(float(entry.get("timestep")), entry.get("file"))
-               for entry in xml.parse(collection).iter("DataSet")
-               if entry.get("file").endswith(".vtu")]
-    if not entries:
-        return []
+    entries = [(time, pieces[0]) for time, pieces in fields.list_fields(folder)
+               if len(pieces) == 1]
     picks = np.unique(np.linspace(0, len(entries) - 1, MOST_TIMES).round())
     profiles = []
-    for pick in picks.astype(int):
-        time, file = entries[pick]
-        profile = Profile(os.path.join(folder, file), time)
-        if not profile.is_line:
+    for pick in picks.astype(int) if entries else ():
+        profiles.append(Profile(entries[pick][1], entries[pick][0]))
+        if not profiles[-1].is_line:
             return []
-        profiles.append(profile)
     return profiles

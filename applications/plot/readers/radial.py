@@ -24,8 +24,8 @@ class RadialProfile:
 
     def __init__(self, radius, density, velocity, pressure):
         order = np.argsort(radius, kind="stable")
-        self.radius, self.density = radius[order], density[order]
-        self.velocity, self.pressure = velocity[order], pressure[order]
+        self.radius, self.density, self.velocity, self.pressure = (
+            values[order] for values in (radius, density, velocity, pressure))
 
     def shock(self):
         """Peak overpressure [Pa], its radius [m], and the width from 10 to 90 %
@@ -49,16 +49,14 @@ def _in_cells(x, fields):
     """Values in the middle of as many cells of each leaf as its samples, from
     one end of it to the other, are; leaves meet in two samples of one place."""
     ends = np.nonzero(np.diff(x) <= 1e-9 * np.max(np.abs(x)))[0] + 1
-    radius, values = [], [[] for _ in fields]
+    found = []
     for leaf in np.split(np.arange(x.size), ends):
         first, last = x[leaf[0]], x[leaf[-1]]
         middle = first + (np.arange(leaf.size) + 0.5) / leaf.size * (
             last - first)
-        radius.append(middle)
-        for field, found in zip(fields, values):
-            found.append(np.interp(middle, x[leaf], field[leaf]))
-    return RadialProfile(np.concatenate(radius),
-                         *(np.concatenate(found) for found in values))
+        found.append([middle, *(np.interp(middle, x[leaf], field[leaf])
+                                for field in fields)])
+    return RadialProfile(*np.concatenate(found, axis=1))
 
 
 def _read(path):
@@ -81,6 +79,19 @@ def _read(path):
                           "hexahedra, or cut off") from problem
 
 
+def _read_table(path):
+    """That of position, density, velocity and pressure."""
+    with reading(path), open(path, encoding="utf-8") as file:
+        names, *lines = [line for line in file if not line.startswith("#")]
+        names = [name.strip() for name in names.split(",")]
+        values = dict(zip(names, np.loadtxt(lines, delimiter=",", ndmin=2).T))
+        columns = ("position", "density", "velocity", "pressure")
+        if not values.keys() >= set(columns):
+            raise BrokenInput(f"{path}: no table of position, density, "
+                              "velocity and pressure")
+        return RadialProfile(*(values[name] for name in columns))
+
+
 class RadialRun:
     """A folder of results, or a table, which has one time and no history."""
 
@@ -101,42 +112,24 @@ class RadialRun:
                 raise BrokenInput(f"{path}: no fields but those at the start")
             self.last = _read(self.entries[-1][1])
         else:
-            self.last = self._read_table()
-
-    def _read_table(self):
-        with reading(self.path), open(self.path, encoding="utf-8") as file:
-            lines = [line for line in file if not line.startswith("#")]
-            names = [name.strip() for name in lines[0].split(",")]
-            values = np.loadtxt(lines[1:], delimiter=",", ndmin=2)
-            columns = ("position", "density", "velocity", "pressure")
-            if not set(columns) <= set(names):
-                raise BrokenInput(f"{self.path}: no table of position, "
-                                  "density, velocity and pressure")
-            columns = [values[:, names.index(name)] for name in columns]
-        return RadialProfile(*columns)
-
-    def mass(self):
-        return self.history["mass"]
+            self.last = _read_table(path)
 
     def energy(self):
         """Internal and kinetic, less the work that was done on it [J]."""
         table = self.history
-        if "energy" in table:
-            return table["energy"]
-        return (table["internal_energy"] + table["kinetic_energy"]
-                - table["external_work"])
+        return table["energy"] if "energy" in table else (
+            table["internal_energy"] + table["kinetic_energy"]
+            - table["external_work"])
 
     def at(self, radius):
         """Peak overpressure [Pa] and its impulse [Pa s] there until the end,
         from the fields over time; None where these are too few."""
         if len(self.entries) < 1. / COARSEST:
             return None
-        times = np.array([time for time, _ in self.entries])
         over = []
         for _, file in self.entries:
             now = _read(file)
             over.append(np.interp(radius, now.radius, now.pressure)
                         - now.pressure[-1])
         over = np.maximum(over, 0.)
-        return np.max(over), float(np.sum(
-            0.5 * (over[1:] + over[:-1]) * np.diff(times)))
+        return np.max(over), np.trapz(over, [time for time, _ in self.entries])

@@ -7,9 +7,8 @@ import os
 
 import numpy as np
 
-from plot.readers import (fields, files, json_shape, loads, planes, vtk_file)
-from plot.readers.stage import (Measure, Stage, is_cut, read_entries,
-                                 read_measures)
+from plot.readers import files, json_shape, loads, planes, vtk_file
+from plot.readers.stage import Measure, Stage, is_cut, read_measures
 
 STAGES = ("anatomy", "blast", "biomechanics")
 COARSER = "coarser run of "
@@ -36,37 +35,41 @@ class Run:
     def gauge_measures(self):
         """GAUGE_MEASURES of the gauges on the skin that a blast has reached:
         numbers by gauge and name; {} without the file."""
-        path = self.blast.path("gauge_measures.csv")
-        if not os.path.exists(path):
-            return {}
-        with files.reading(path), open(path, newline="",
-                                       encoding="utf-8") as file:
-            found = {row.pop("place"): {
-                name.split(" [")[0]: float(value)
-                for name, value in row.items()}
-                for row in files.rows_of(file)}
-            for place in list(found):
-                numbers = [found[place][name] for name in GAUGE_MEASURES]
+        path, found = self.blast.path("gauge_measures.csv"), {}
+        with files.reading(path):
+            for row in files.read_rows(path):
+                place = row.pop("place")
+                known = {name.split(" [")[0]: float(value)
+                         for name, value in row.items()}
+                numbers = [known[name] for name in GAUGE_MEASURES]
                 # "cut off" alone is known where no blast has arrived.
                 if np.isnan(numbers[:-1]).all() and np.isfinite(numbers[-1]):
-                    del found[place]
-                elif not np.isfinite(numbers).all():
+                    continue
+                if not np.isfinite(numbers).all():
                     raise ValueError(f"{place}: no number")
+                found[place] = known
         return found
 
     def gauge_planes(self):
         """Maps of the blast in planes of gauges: by plane, one Plane by
         quantity."""
-        with files.reading(self.blast.path("fields")):
-            found = planes.open_planes(self.blast.folder)
         symmetry = loads.symmetry_planes(self.blast.folder)
         groups = {}
-        for name, cuts in sorted(found.items()):
+        for name, (plane, *_) in sorted(self._planes().items()):
             if name.startswith("gauges_plane_"):
-                quantity = cuts[0].quantity
-                cuts[0].mirror(symmetry)
-                groups.setdefault(name[:-len(quantity)], {})[quantity] = cuts[0]
+                plane.mirror(symmetry)
+                groups.setdefault(name[:-len(plane.quantity)],
+                                  {})[plane.quantity] = plane
         return groups
+
+    def pressure_planes(self):
+        """Plane cuts of pressure by name."""
+        return {name: cuts for name, cuts in self._planes().items()
+                if cuts[0].quantity == "pressure"}
+
+    def _planes(self):
+        with files.reading(self.blast.path("fields")):
+            return planes.open_planes(self.blast.folder)
 
     def gauge_injury(self):
         """Injuries by the loads at gauges: Measure by (measure, gauge)."""
@@ -84,12 +87,9 @@ class Run:
 
 def _injury(path):
     """Measure by (measure, place), {} without the file."""
-    if not os.path.exists(path):
-        return {}
     found = {}
-    with files.reading(path), open(path, newline="",
-                                   encoding="utf-8") as file:
-        for row in files.rows_of(file):
+    with files.reading(path):
+        for row in files.read_rows(path):
             value = float(row["value"])
             if not np.isfinite(value):
                 raise ValueError(f"{row['measure']}: no number")
@@ -108,15 +108,14 @@ class Scene(Run):
                                      json_shape.SCENE)
         self.anatomy, *stages = (self.stage(name) for name in STAGES)
         super().__init__(*stages)
-        self.parameters = read_entries(os.path.join(folder, "parameters.prm"))
+        self.parameters = files.read_parameters(
+            os.path.join(folder, "parameters.prm"))
         self.coarser = self._coarser_run()
-        if not self.facts and not any(
-                stage.exists for stage in
-                (self.anatomy, self.blast, self.biomechanics)):
+        if not self.facts and not any(getattr(self, name).exists
+                                      for name in STAGES):
             raise files.BrokenInput(
                 f"{folder}: neither scene.json nor a stage's folder ("
                 + ", ".join(STAGES) + ") is in it")
-        self._fields = None
 
     def _coarser_run(self):
         """The Run with larger cells and elements, or None unless all its stages
@@ -126,9 +125,7 @@ class Scene(Run):
         if not stages or any(stage.get("status") not in ("finished", "reused")
                              for stage in stages):
             return None
-        return Run(*(
-            self.stage(name)
-            for name in ("coarser_blast", "coarser_biomechanics")))
+        return Run(*(self.stage(f"coarser_{name}") for name in STAGES[1:]))
 
     def stage(self, name):
         """The folder of a stage, which may not be there. That of a stage that
@@ -141,8 +138,7 @@ class Scene(Run):
 
     def list_of(self, name):
         """A list of objects in scene.json, [] if missing."""
-        entries = self.facts.get(name) or []
-        return [entry for entry in entries if isinstance(entry, dict)]
+        return self.facts.get(name) or []
 
     def fact(self, name):
         """A number of scene.json, or None."""
@@ -172,20 +168,14 @@ class Scene(Run):
         return found
 
     def charge_place(self):
-        place = self.facts.get("charge_place")
-        if isinstance(place, list) and len(place) == 3:
-            return np.array(place, dtype=float)
-        place = self.blast.parameter("Charges/Charge 1/Center")
-        return np.array(place) if place and len(place) == 3 else None
+        place = self.facts.get("charge_place") \
+            or self.blast.parameter("Charges/Charge 1/Center")
+        return np.array(place, float) if place and len(place) == 3 else None
 
     def charge_mass(self):
         """[kg], or None."""
         return self._number("charge_mass", self.blast,
                             "Charges/Charge 1/Mass")
-
-    def cell_size(self):
-        """Cells at the skin [m], or None."""
-        return self.fact("cell_size_at_body")
 
     def element_size(self):
         """[m], or None."""
@@ -231,28 +221,12 @@ class Scene(Run):
     def mirror_factor(self):
         """How many times the recorded part of the body is the whole."""
         known = self.loads()
-        if known is None:
-            return 1
-        return 2 ** len(loads.mirror_planes(self.blast.folder,
-                                            known.centroids))
-
-    def pressure_planes(self):
-        """Plane cuts of pressure by name."""
-        with files.reading(self.blast.path("fields")):
-            found = planes.open_planes(self.blast.folder)
-        return {name: cuts for name, cuts in found.items()
-                if cuts[0].quantity == "pressure"}
+        return 1 if known is None else 2 ** len(loads.mirror_planes(
+            self.blast.folder, known.centroids))
 
     def field_list(self):
         """Times and files of what biomechanics wrote; [] without."""
-        path = self.biomechanics.path("fields.pvd")
-        if self._fields is None:
-            self._fields = []
-            if os.path.exists(path):
-                with files.reading(path):
-                    self._fields = fields.list_fields(
-                        self.biomechanics.folder)
-        return self._fields
+        return self.biomechanics.fields()
 
     def field(self, pieces):
         """Arrays of one output, of all its pieces."""

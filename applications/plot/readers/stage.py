@@ -3,22 +3,23 @@
 """Results of a run in its output folder. Whatever is missing is None or empty;
 what is there and cannot be read is a BrokenInput."""
 
+import dataclasses
 import os
 
 import numpy as np
 
-from plot.readers import files, json_shape, tables
+from plot.readers import fields, files, json_shape, tables
 
 
+@dataclasses.dataclass
 class Measure:
     """One measure of injury as biomechanics reports it."""
-
-    def __init__(self, name, value, unit, threshold="", limits="",
-                 is_cut=False):
-        self.name, self.value, self.unit = name, value, unit
-        self.threshold, self.limits = threshold, limits
-        # A lower limit: the run ends too early.
-        self.is_cut = is_cut
+    name: str
+    value: float
+    unit: str
+    threshold: str = ""
+    limits: str = ""
+    is_cut: bool = False  # a lower limit: the run ends too early
 
 
 def is_cut(row):
@@ -50,7 +51,7 @@ class Stage:
         self.exists = os.path.isdir(folder)
         self.summary = files.read_json(self.path("summary.json"),
                                        json_shape.SUMMARY)
-        self.parameters = read_entries(self.path("parameters.prm"))
+        self.parameters = files.read_parameters(self.path("parameters.prm"))
 
     def path(self, name):
         return os.path.join(self.folder, name)
@@ -78,30 +79,21 @@ class Stage:
         except (KeyError, ValueError):
             return None
 
+    def fields(self):
+        """Times and files of the outputs; [] without."""
+        path = self.path("fields.pvd")
+        with files.reading(path):
+            return fields.list_fields(self.folder) if os.path.exists(path) else []
+
     def log(self):
-        if not os.path.exists(self.path("log.txt")):
-            return ""
-        with files.reading(self.path("log.txt")), open(
-                self.path("log.txt"), encoding="utf-8") as file:
-            return file.read()
-
-
-def read_entries(path):
-    """Entries of a parameter file by name, none without the file."""
-    if not os.path.exists(path):
-        return {}
-    with files.reading(path):
-        return files.read_parameters(path)
+        path = self.path("log.txt")
+        return files.read_text(path) if os.path.exists(path) else ""
 
 
 def read_measures(path):
     """Measures of an injury.csv by name; none without the file."""
-    measures = {}
-    if os.path.exists(path):
-        with files.reading(path), open(path, newline="",
-                                       encoding="utf-8") as file:
-            for row in files.rows_of(file):
-                measures[row["measure"]] = Measure(
-                    row["measure"], float(row["value"]), row["unit"],
-                    row["threshold"], row["limits"], is_cut(row))
-    return measures
+    with files.reading(path):
+        return {row["measure"]: Measure(
+            row["measure"], float(row["value"]), row["unit"],
+            row["threshold"], row["limits"], is_cut(row))
+                for row in files.read_rows(path)}

@@ -3,7 +3,6 @@
 """Tables of a run: history.csv, probes.csv and others, with units."""
 
 import csv
-import json
 import os
 import re
 
@@ -19,11 +18,10 @@ class Table:
         with open(path, newline="", encoding="utf-8") as file:
             header = next(csv.reader(file))
             self.values = np.loadtxt(file, delimiter=",", ndmin=2)
-        self.names, self.units = [], []
-        for entry in header:
-            match = re.fullmatch(r"\s*(.*?)\s*(?:\[(.*)\])?\s*", entry)
-            self.names.append(match[1])
-            self.units.append(match[2] or "-")
+        matches = [re.fullmatch(r"\s*(.*?)\s*(?:\[(.*)\])?\s*", entry)
+                   for entry in header]
+        self.names = [match[1] for match in matches]
+        self.units = [match[2] or "-" for match in matches]
         if self.values.shape[1] != len(header):
             raise ValueError(f"{path}: {len(header)} names for "
                              f"{self.values.shape[1]} columns")

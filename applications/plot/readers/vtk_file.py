@@ -18,12 +18,10 @@ def _inflate(content, word):
     """The bytes of an array: its header of counts (blocks, sizes), each a
     @p word, then its blocks."""
     n_blocks = int(np.frombuffer(content, word, 1)[0])
-    place = (3 + n_blocks) * np.dtype(word).itemsize
-    parts = []
-    for size in np.frombuffer(content, word, 3 + n_blocks)[3:]:
-        parts.append(zlib.decompress(content[place:place + int(size)]))
-        place += int(size)
-    return b"".join(parts)
+    header = np.frombuffer(content, word, 3 + n_blocks)
+    ends = header.nbytes + np.cumsum(header[3:], dtype=int)
+    return b"".join(zlib.decompress(content[end - int(size):end])
+                    for size, end in zip(header[3:], ends))
 
 
 def _decode(text, word):
@@ -36,15 +34,9 @@ def _decode(text, word):
 
 def _numbers_of(element, content, word):
     """The numbers of an array, with a row for each tuple."""
-    kind = np.dtype(element.get("type").lower())
-    return np.frombuffer(_inflate(content, word), kind).reshape(
-        -1, int(element.get("NumberOfComponents", 1)))
-
-
-def decode(element):
-    """The numbers of an array that deal.II wrote into its element."""
-    return _numbers_of(element, _decode(element.text.strip(), np.uint32),
-                       np.uint32)
+    return np.frombuffer(
+        _inflate(content, word), element.get("type").lower()).reshape(
+            -1, int(element.get("NumberOfComponents", 1)))
 
 
 def read(path):
@@ -121,23 +113,25 @@ def _arrays(content):
     return root, arrays
 
 
-def _deal_arrays(path):
-    """"points" and fields by name of a file by deal.II, a row for each
-    point."""
-    piece = xml.parse(path).find("UnstructuredGrid/Piece")
-    found = {"points": decode(piece.find("Points/DataArray"))}
-    for array in piece.findall("PointData/DataArray"):
-        found[array.get("Name")] = decode(array)
-    return found
+def units_and_points(path):
+    """Arrays of a file by deal.II: "points" and fields by name, as points x
+    components, behind their units. A ValueError names a file that is no such
+    one."""
+    try:
+        piece = xml.parse(path).find("UnstructuredGrid/Piece")
+        arrays = {"points": piece.find("Points/DataArray")} | {
+            array.get("Name"): array
+            for array in piece.findall("PointData/DataArray")}
+        return {name: (array.get("units", "-"), _numbers_of(
+            array, _decode(array.text.strip(), np.uint32), np.uint32))
+                for name, array in arrays.items()}
+    except _BROKEN as problem:
+        raise ValueError(f"{path}: no file of points, or cut off") from problem
 
 
 def read_points(path):
-    """Arrays of a file by deal.II: "points" and fields by name, as points x
-    components. A ValueError names a file that is no such one."""
-    try:
-        return _deal_arrays(path)
-    except _BROKEN as problem:
-        raise ValueError(f"{path}: no file of points, or cut off") from problem
+    """The same without units."""
+    return {name: values for name, (_, values) in units_and_points(path).items()}
 
 
 def read_cells(path):
@@ -146,7 +140,7 @@ def read_cells(path):
     A ValueError names a file that is no such one."""
     try:
         return {name: values.reshape(-1, 8, values.shape[1])
-                for name, values in _deal_arrays(path).items()}
-    except _BROKEN as problem:
+                for name, values in read_points(path).items()}
+    except ValueError as problem:
         raise ValueError(f"{path}: no file of cells with eight points, or cut "
                          "off") from problem
