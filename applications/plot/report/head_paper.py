@@ -8,7 +8,8 @@ import numpy as np
 
 from plot.figures import head_figures
 from plot.report import page, paper
-from plot.report.paper import AGREES, DIFFERS, OPEN, PARTLY, Statement
+from plot.report.paper import (AGREES, DIFFERS, OPEN, PARTLY, Statement,
+                               verdict)
 
 CLOSE = 0.1    # what agrees may differ by
 SIMILAR = 2.   # what agrees in part may differ by this factor
@@ -33,16 +34,8 @@ def section(run):
 
 
 def _judge(found, published):
-    if found is None:
-        return DIFFERS
-    ratio = found / published
-    if abs(ratio - 1.) <= CLOSE:
-        return AGREES
-    return PARTLY if 1. / SIMILAR <= ratio <= SIMILAR else DIFFERS
-
-
-def _reason(verdict):
-    return "" if verdict == AGREES else NO_SIZES
+    ratio = np.nan if found is None else found / published
+    return verdict(abs(ratio - 1.) <= CLOSE, 1. / SIMILAR <= ratio <= SIMILAR)
 
 
 def _ends_before(run, time):
@@ -56,19 +49,17 @@ def _too_short(quote, run):
 
 def _set_up(run):
     speed = -float(run.normal_velocity()[0])
-    verdict = _judge(speed, 3.)
-    found = [Statement("initial velocity of 3m/s … colliding with a rigid "
-                       "wall", f"{page.quantity(speed, 'm/s')} towards the "
-                       "plane", verdict, "" if verdict == AGREES else
-                       "the run is of another impact")]
+    found = [Statement(
+        "initial velocity of 3m/s … colliding with a rigid wall",
+        f"{page.quantity(speed, 'm/s')} towards the plane", _judge(speed, 3.),
+        "the run is of another impact")]
     interval = run.parameter("Rezone/Interval")
     if run.parameters.get("Rezone/Kind") == "none" or not interval:
         return found
-    verdict = _judge(interval[0], 2e-5)
     return found + [Statement(
         "the time interval for remeshing and advection is 20 micro-sec",
-        f"every {page.quantity(interval[0], 's')}", verdict,
-        "" if verdict == AGREES else "another interval was asked for")]
+        f"every {page.quantity(interval[0], 's')}", _judge(interval[0], 2e-5),
+        "another interval was asked for")]
 
 
 def _rebound(run):
@@ -76,18 +67,17 @@ def _rebound(run):
     rebound = run.rebound()
     if rebound is None and _ends_before(run, 4.36e-3):
         return [_too_short(quote, run)]
-    verdict, reason = _judge(rebound, 4.36e-3), NO_SIZES
+    judged, reason = _judge(rebound, 4.36e-3), NO_SIZES
     end = run.last_contact()
     found = "the head does not rebound" if rebound is None else \
         f"its momentum changes sign at {page.milliseconds(rebound)}"
     if end is not None:
         found += f", and it has left the wall at {page.milliseconds(end)}"
-        if verdict != AGREES and _judge(end, 4.36e-3) == AGREES:
-            verdict, reason = PARTLY, (
+        if judged != AGREES and _judge(end, 4.36e-3) == AGREES:
+            judged, reason = PARTLY, (
                 "it agrees if the paper means that the head leaves the wall; "
                 "it does not say by what it tells a rebound")
-    return [Statement(quote, found, verdict,
-                      "" if verdict == AGREES else reason)]
+    return [Statement(quote, found, judged, reason)]
 
 
 def _pressure(run):
@@ -99,14 +89,12 @@ def _pressure(run):
     if _ends_before(run, 0.92e-3):
         found = [_too_short(quote, run)]
     else:
-        verdict = _judge(float(csf[low]), -236e3)
-        when = _judge(float(time[low]), 0.92e-3)
         found = [
-            Statement(quote, page.quantity(float(csf[low]), "Pa"), verdict,
-                      _reason(verdict)),
+            Statement(quote, page.quantity(csf[low], "Pa"),
+                      _judge(csf[low], -236e3), NO_SIZES),
             Statement("and occurs at 0.92 ms",
-                      f"at {page.milliseconds(float(time[low]))}", when,
-                      _reason(when))]
+                      f"at {page.milliseconds(time[low])}",
+                      _judge(time[low], 0.92e-3), NO_SIZES)]
     quote = ("After 2.18 ms, the pressure in the brain and CSF stays in "
              "positive because of the compressed intracranial volume")
     if _ends_before(run, 2.18e-3):
@@ -114,10 +102,9 @@ def _pressure(run):
     negative = np.flatnonzero(both < 0.)
     if not negative.size or negative[-1] < len(time) - 1:
         since = float(time[negative[-1] + 1]) if negative.size else 0.
-        verdict = AGREES if since <= 2.18e-3 * (1. + CLOSE) else PARTLY
         return found + [Statement(
-            quote, f"from {page.milliseconds(since)} on", verdict,
-            _reason(verdict))]
+            quote, f"from {page.milliseconds(since)} on",
+            verdict(since <= 2.18e-3 * (1. + CLOSE), in_part=True), NO_SIZES)]
     return found + [Statement(
         quote, f"still {page.quantity(float(both[-1]), 'Pa')} somewhere at the "
         "end", DIFFERS, "a head that has left the wall oscillates; "
@@ -125,17 +112,14 @@ def _pressure(run):
 
 
 def _shear(run):
-    time = run.history["time"]
-    shear = run.column("largest_shear_strain", "brain")
-    pressure = run.column("largest_pressure", "brain")
-    late, early = (float(time[int(np.argmax(column))])
-                   for column in (shear, pressure))
+    late, early = (run.history["time"][np.argmax(run.column(name, "brain"))]
+                   for name in ("largest_shear_strain", "largest_pressure"))
     found = [Statement(
         "Compared to the pressure, the shear strains … are developed at the "
         "later time", "in the brain the largest shear strain is reached at "
         f"{page.milliseconds(late)}, the largest pressure at "
-        f"{page.milliseconds(early)}", AGREES if late > early else DIFFERS,
-        "" if late > early else "see the histories")]
+        f"{page.milliseconds(early)}", verdict(late > early),
+        "see the histories")]
     places = interface_strains(run)
     if places is None:
         return found
@@ -146,8 +130,7 @@ def _shear(run):
         f"{page.number(100. * beside)} % in the brain's cells at the CSF, "
         f"{page.number(100. * within)} % in all others; the brain's largest "
         f"one is {'at' if is_beside else 'not at'} the CSF",
-        AGREES if is_beside and beside > within else
-        PARTLY if is_beside or beside > within else DIFFERS,
+        verdict(is_beside and beside > within, is_beside or beside > within),
         "" if is_beside else "brain and CSF share nodes here, and the contact "
         "bends the skull into the brain")]
 
@@ -191,40 +174,30 @@ def _near(points, others, spacing):
 def _nodes_shared(cells, others, _):
     """Whether cells have a corner in common with others: where it is, to the
     last bit, as each cell writes its own corners."""
-    known = {corner.tobytes() for corner in
-             np.ascontiguousarray(others.reshape(-1, 3))}
-    corners = np.ascontiguousarray(cells.reshape(-1, 3))
-    return np.array([corner.tobytes() in known
-                     for corner in corners]).reshape(-1, 8).any(axis=1)
+    known = {corner.tobytes() for corner in others.reshape(-1, 3)}
+    return np.array([corner.tobytes() in known for corner in
+                     cells.reshape(-1, 3)]).reshape(-1, 8).any(axis=1)
 
 
 def _flow(run):
-    initial = abs(float(run.normal_velocity()[0]))
-    speed = run.column("largest_speed", "csf")
-    ratio = float(speed.max()) / initial
+    speed = run.column("largest_speed", "csf").max()
+    ratio = speed / abs(run.normal_velocity()[0])
     found = [Statement(
         "the flow speed in CSF is in the same level of initial impact speed",
-        f"at most {page.quantity(float(speed.max()), 'm/s')}, "
+        f"at most {page.quantity(speed, 'm/s')}, "
         f"{page.number(ratio)} of the initial speed",
-        AGREES if 0.5 <= ratio <= 2. else DIFFERS,
-        "" if 0.5 <= ratio <= 2. else NO_SIZES)]
+        verdict(0.5 <= ratio <= 2.), NO_SIZES)]
     quote = "At the end of 5ms, the CSF flows upward"
     if _ends_before(run, 5e-3) or not run.picked():
         return found + [_too_short(quote, run)]
-    velocity = mean_flow(run)
+    # The mean of cells, as many as they are, in the last output.
+    cells = run.arrays(run.fields()[-1][1])
+    part = head_figures.of_layers(run, {"region": cells["region"][:, 0, 0]},
+                                  ("csf",))
+    mean = cells["velocity"][part].mean(axis=(0, 1))
+    mean[run.mirrors] = 0.
+    velocity = float(mean @ run.planes[0].normal)
     return found + [Statement(
         quote, f"its mean velocity is {page.quantity(abs(velocity), 'm/s')} "
         + ("away from the wall" if velocity > 0. else "towards the wall"),
-        AGREES if velocity > 0. else DIFFERS,
-        "" if velocity > 0. else NO_SIZES)]
-
-
-def mean_flow(run):
-    """The CSF's mean velocity from the wall in the last output, of cells as
-    many as they are [m/s]."""
-    cells = run.arrays(run.fields()[-1][1])
-    values = {"region": cells["region"][:, 0, 0]}
-    part = head_figures.of_layers(run, values, ("csf",))
-    mean = cells["velocity"][part].mean(axis=(0, 1))
-    mean[run.mirrors] = 0.
-    return float(mean @ run.impact().normal)
+        verdict(velocity > 0.), NO_SIZES)]

@@ -4,6 +4,9 @@
 statement, next to what a run of that scene finds: X. G. Tan, R. N. Saunders,
 A. Bagchi, COUPLED PROBLEMS 2017, sections 3.2 and 3.3."""
 
+import collections
+from typing import NamedTuple
+
 import numpy as np
 
 from plot.analysis import (coup as coup_facts, person, signals,
@@ -21,12 +24,17 @@ CLOSE = 0.02  # of published values
 AGREES, PARTLY, DIFFERS, OPEN = "agrees", "partly", "differs", "open"
 
 
-class Statement:
-    """A statement of the paper, what was found, and why it differs."""
+class Statement(NamedTuple):
+    """A statement of the paper, what was found, and why that differs if it
+    does."""
+    quote: str
+    found: str
+    verdict: str
+    reason: str = ""
 
-    def __init__(self, quote, found, verdict, reason=""):
-        self.quote, self.found = quote, found
-        self.verdict, self.reason = verdict, reason
+
+def verdict(agrees, in_part=False):
+    return AGREES if agrees else PARTLY if in_part else DIFFERS
 
 
 def is_that_scene(scene):
@@ -51,14 +59,11 @@ def is_that_scene(scene):
 
 def section(scene):
     """The table of all statements."""
-    statements = []
     gauges = scene.blast.table("load_gauges.csv")
-    if gauges is not None:
-        statements += _steps(scene) + _passage(scene) + _head(scene, gauges)
-        statements += _places(scene, gauges)
     probes = scene.biomechanics.table("probes.csv")
-    if probes is not None:
-        statements += _body(scene, probes) + _brain(scene, probes)
+    statements = (_steps(scene) + _passage(scene) + _head(scene, gauges)
+                  + _places(scene, gauges) if gauges else []) + (
+        _body(scene, probes) + _brain(scene, probes) if probes else [])
     if not statements:
         return [page.missing("histories of blast and biomechanics")]
     return [
@@ -80,8 +85,7 @@ def _tissues(scene):
 
 def counted(statements, where):
     """How many statements agree, in a sentence."""
-    count = {verdict: sum(entry.verdict == verdict for entry in statements)
-             for verdict in (AGREES, PARTLY, DIFFERS, OPEN)}
+    count = collections.Counter(entry.verdict for entry in statements)
     return (f"This run agrees with {count[AGREES]} of {len(statements)} "
             f"statements of its {where} and partly with {count[PARTLY]}; it "
             f"differs from {count[DIFFERS]}, and {count[OPEN]} cannot be "
@@ -96,7 +100,8 @@ def table(statements):
          "likely reason of the difference"),
         [(f"“{entry.quote}”", entry.found,
           page.tag("span", entry.verdict, kind=kinds[entry.verdict]),
-          entry.reason or "–") for entry in statements],
+          "–" if entry.verdict == AGREES else entry.reason or "–")
+         for entry in statements],
         widths=(27, 32, 9, 32))
 
 
@@ -113,17 +118,15 @@ def _steps(scene):
         table = stage.table("history.csv")
         if table is None or "step" not in table or table["step"][-1] <= 0:
             continue
-        late = table["time"] > 0.5 * table["time"][-1]
-        begin = int(np.argmax(late))
+        begin = int(np.argmax(table["time"] > 0.5 * table["time"][-1]))
         steps = table["step"][-1] - table["step"][begin]
         if steps <= 0:
             continue
         size = (table["time"][-1] - table["time"][begin]) / steps
-        close = 0.5 < size / published < 2.
         found.append(Statement(
             quote, f"{page.quantity(size, 's')} in the second half of the "
             + ("blast" if stage is scene.blast else "body's motion"),
-            AGREES if close else DIFFERS, "" if close else why))
+            verdict(0.5 < size / published < 2.), why))
     return found
 
 
@@ -133,11 +136,10 @@ def _passage(scene):
     if force is None:
         return []
     time, values = force
-    size = np.sqrt((values ** 2).sum(1))
+    size = np.linalg.norm(values, axis=1)
     top = int(np.argmax(size))
     weak = np.flatnonzero(size[top:] < 0.1 * size[top])
-    strong = np.flatnonzero(size > 0.1 * size[top])
-    first, last = time[strong[0]], time[strong[-1]]
+    first, last = time[size > 0.1 * size[top]][[0, -1]]
     until = time[top + weak[0]] if weak.size else time[-1]
     held = last - first
     return [Statement(
@@ -148,35 +150,27 @@ def _passage(scene):
         f" falls below a tenth of that {page.milliseconds(until - first)} "
         "after its onset, and stays below from "
         f"{page.milliseconds(held)} after it on",
-        AGREES if held < 5e-3 else PARTLY if until - first < 5e-3
-        else DIFFERS,
-        "" if held < 5e-3 else "the negative phase and the wave from the "
-        "ground load the body again")]
+        verdict(held < 5e-3, until - first < 5e-3),
+        "the negative phase and the wave from the ground load the body again")]
 
 
 def _head(scene, gauges):
     """Phases and peaks at the head."""
-    time = gauges["time"]
     here = [name for name in gauges.others("time")
             if person.part_at(name) in HEAD and gauges[name].max() > 0.]
     if "forehead" not in here:
         return []
     peak = {name: float(gauges[name].max()) for name in here}
-    found = [_phases(time, gauges, here)]
-    others = {name: peak[name] for name in here if name != "forehead"}
-    larger = [name for name in others if others[name] > peak["forehead"]]
-    found.append(Statement(
+    larger = [name for name in here if peak[name] > peak["forehead"]]
+    return [_phases(gauges["time"], gauges, here), Statement(
         "The reflected pressure peak at forehead is much higher than other "
         "locations",
         f"forehead {_kpa(peak['forehead'])}; " + ", ".join(
-            f"{name} {_kpa(value)}" for name, value in others.items()),
-        AGREES if not larger else PARTLY,
-        "" if not larger else "concave places, here " + page.joined(larger)
-        + ", reflect the wave repeatedly; a smooth head has none"))
-    found += _rear(gauges, peak)
-    found += _incident(scene, peak)
-    found += _ground(scene, gauges)
-    return found
+            f"{name} {_kpa(peak[name])}" for name in here
+            if name != "forehead"), verdict(not larger, in_part=True),
+        f"concave places, here {page.joined(larger)}, reflect the wave "
+        "repeatedly; a smooth head has none"),
+            *_rear(peak), *_incident(scene, peak), _ground(scene, gauges)]
 
 
 def _kpa(value):
@@ -185,7 +179,7 @@ def _kpa(value):
 
 def _phases(time, gauges, here):
     rises = [1e6 * signals.rise_time(time, gauges[name]) for name in here]
-    lowest = [float(gauges[name].min()) for name in here]
+    lowest = [gauges[name].min() for name in here]
     both = sum(value < -2e3 for value in lowest)
     return Statement(
         "The calculated pressures on the head surface have a sharp rise and "
@@ -193,7 +187,7 @@ def _phases(time, gauges, here):
         f"rises of {page.number(min(rises), 2)} to "
         f"{page.number(max(rises), 2)} µs; pressure falls below the ambient "
         f"at {both} of {len(here)} places, to {_kpa(min(lowest))}",
-        AGREES if both == len(here) else PARTLY if both else DIFFERS)
+        verdict(both == len(here), both))
 
 
 def _first(names, part):
@@ -201,12 +195,11 @@ def _first(names, part):
     return next((name for name in names if person.part_at(name) == part), None)
 
 
-def _rear(gauges, peak):
+def _rear(peak):
     temple = _first(peak, "temple")
     if temple is None or "occiput" not in peak:
         return []
     behind, beside = peak["occiput"], peak[temple]
-    agrees = behind > beside
     ear = _first(peak, "ear")
     text = f"occiput {_kpa(behind)}, temple {_kpa(beside)}"
     if ear:
@@ -214,13 +207,11 @@ def _rear(gauges, peak):
     return [Statement(
         "The calculated pressure at the rear portion of head surface is "
         "higher than the temple, because of the diffraction of the shock "
-        "front", text,
-        AGREES if agrees else PARTLY if ear and behind > peak[ear]
-        else DIFFERS,
-        "" if agrees else "the published place of the temple is unknown: in "
-        "front of the middle of the head the incident wave acts, behind it, "
-        "as at the ear, the diffracted wave alone; diffracted waves from both "
-        "sides meet at the rear")]
+        "front", text, verdict(behind > beside, ear and behind > peak[ear]),
+        "the published place of the temple is unknown: in front of the middle "
+        "of the head the incident wave acts, behind it, as at the ear, the "
+        "diffracted wave alone; diffracted waves from both sides meet at the "
+        "rear")]
 
 
 def _incident(scene, peak):
@@ -230,63 +221,53 @@ def _incident(scene, peak):
                               "probe_1_reference_peak_overpressure")
     if temple is None or side_on is None:
         return []
-    ratio = peak[temple] / (known or side_on)
     return [Statement(
         "The peak pressure at the temple is similar to the incident peak "
         "pressure",
         f"temple {_kpa(peak[temple])}; incident {_kpa(side_on)}"
         + (f", Kingery and Bulmash {_kpa(known)}" if known else ""),
-        AGREES if abs(ratio - 1.) < 0.25 else DIFFERS,
-        "" if abs(ratio - 1.) < 0.25 else "the skin is not parallel to the "
-        "wave there, or cells are too coarse")]
+        verdict(abs(peak[temple] / (known or side_on) - 1.) < 0.25),
+        "the skin is not parallel to the wave there, or cells are too coarse")]
 
 
 def _ground(scene, gauges):
     """When the ground's reflection reaches the forehead."""
     time = gauges["time"]
     _, second = signals.find_peaks(time, gauges["forehead"])
+    quote = "The ground reflection reaches the forehead at 4.8ms"
     if second is None:
-        return [Statement("The ground reflection reaches the forehead at "
-                          "4.8ms", "no second front was found there", DIFFERS,
-                          "cells are too coarse for it")]
-    moment = float(time[second])
-    charge = scene.charge_place()
-    places = scene.loads().places() if scene.loads() else {}
-    path = ""
-    if charge is not None and "forehead" in places:
-        way = np.linalg.norm(charge * [1., 1., -1.] - places["forehead"])
-        path = f"its path is {way:.2f} m; "
-    return [Statement(
-        "The ground reflection reaches the forehead at 4.8ms",
-        f"second front at {page.milliseconds(moment)}",
-        AGREES if abs(moment - 4.8e-3) < 0.3e-3 else DIFFERS,
-        "" if abs(moment - 4.8e-3) < 0.3e-3 else path + "it runs through air "
-        "that the first front has heated and set in motion, and therefore "
-        "faster than a wave in cold air, for which Kingery and Bulmash give "
-        "4.6 ms")]
+        return Statement(quote, "no second front was found there", DIFFERS,
+                         "cells are too coarse for it")
+    moment, charge = float(time[second]), scene.charge_place()
+    place = scene.loads() and scene.loads().places().get("forehead")
+    path = "" if charge is None or place is None else "its path is " \
+        f"{np.linalg.norm(charge * [1., 1., -1.] - place):.2f} m; "
+    return Statement(
+        quote, f"second front at {page.milliseconds(moment)}",
+        verdict(abs(moment - 4.8e-3) < 0.3e-3),
+        path + "it runs through air that the first front has heated and set in "
+        "motion, and therefore faster than a wave in cold air, for which "
+        "Kingery and Bulmash give 4.6 ms")
 
 
 def _places(scene, gauges):
     """Order of arrival, concave places, the lower leg."""
     known = {name: measures for name, measures
              in scene.gauge_measures().items() if measures["peak"] > 0.}
-    names = list(known)
     peak = {name: measures["peak"] for name, measures in known.items()}
-    begin = {name: measures["arrival"] for name, measures in known.items()}
-    order = sorted(names, key=lambda name: begin[name])
-    front = [name for name in order[:4]]
+    order = sorted(known, key=lambda name: known[name]["arrival"])
     chest_first = "chest" in order[:2]
     found = [Statement(
         "The blast pressure reaches the face and the chest first since they "
         "are closer to the explosive",
-        "first " + ", ".join(f"{name} {page.milliseconds(begin[name])}"
-                             for name in front),
-        AGREES if chest_first and any(
-            name in order[:5] for name in ("forehead", "left eye"))
-        else PARTLY if chest_first else DIFFERS,
+        "first " + ", ".join(
+            f"{name} {page.milliseconds(known[name]['arrival'])}"
+            for name in order[:4]),
+        verdict(chest_first and {"forehead", "left eye"} & set(order[:5]),
+                chest_first),
         "" if chest_first else "another part of the body is closer")]
-    eye = _first(names, "eye")
-    if eye and "forehead" in peak and "throat" in peak and "chest" in peak:
+    eye = _first(known, "eye")
+    if eye and {"forehead", "throat", "chest"} <= peak.keys():
         higher = [peak[eye] > peak["forehead"], peak["throat"] > peak["chest"]]
         found.append(Statement(
             "reflects around concave regions (eye socket, lower neck, and "
@@ -294,10 +275,9 @@ def _places(scene, gauges):
             f"eye {_kpa(peak[eye])} against forehead "
             f"{_kpa(peak['forehead'])}, throat {_kpa(peak['throat'])} against "
             f"chest {_kpa(peak['chest'])}",
-            AGREES if all(higher) else PARTLY if any(higher) else DIFFERS,
-            "" if all(higher) else "the concave place is shallow and farther "
-            "from the charge"))
-    shin = _first(names, "shin")
+            verdict(all(higher), any(higher)),
+            "the concave place is shallow and farther from the charge"))
+    shin = _first(known, "shin")
     if shin:
         found.append(_leg(gauges["time"], gauges, shin))
     return found
@@ -307,32 +287,28 @@ def _leg(time, gauges, shin):
     first, second = signals.find_peaks(time, gauges[shin])
     both = second is not None
     values = gauges[shin]
-    second_is_higher = both and values[second] > values[first]
-    text = f"{shin}: first front {_kpa(float(values[first]))}"
+    text = f"{shin}: first front {_kpa(values[first])}"
     if both:
-        text += (f" at {page.milliseconds(float(time[first]))}, second one "
-                 f"{_kpa(float(values[second]))} at "
-                 f"{page.milliseconds(float(time[second]))}")
+        text += (f" at {page.milliseconds(time[first])}, second one "
+                 f"{_kpa(values[second])} at {page.milliseconds(time[second])}")
     return Statement(
         "The high pressure on the lower leg was caused by the ground "
-        "reflection", text, AGREES if second_is_higher else
-        PARTLY if both else OPEN,
-        "" if second_is_higher else "only one front was found: a Mach stem, "
-        "or cells too coarse to resolve both" if not both else "")
+        "reflection", text, verdict(
+            values[second] > values[first], in_part=True) if both else OPEN,
+        "" if both else "only one front was found: a Mach stem, or cells too "
+        "coarse to resolve both")
 
 
 def _body(scene, probes):
     """Stress waves and motion of the whole body."""
     places = tissue_places.find_places(scene)
-    found = _soft_and_stiff(scene)
-    found += _first_struck(places, probes)
+    found = _soft_and_stiff(scene) + _first_struck(places, probes)
     coup = tissue_places.named(places, ", coup")
     begin = None if coup is None else signals.arrival(
         probes["time"], coup.pressure(probes))
     if begin is not None:
-        first = probes["time"] <= begin + FIRST_WAVES
-        top = int(np.argmax(np.abs(
-            coup.pressure(probes)[first])))
+        top = np.abs(coup.pressure(probes)[
+            probes["time"] <= begin + FIRST_WAVES]).argmax()
         shift = max(np.sqrt(sum(
             probes[f"{place.column}displacement_{axis}"][top] ** 2
             for axis in "xyz")) for place in places)
@@ -342,19 +318,18 @@ def _body(scene, probes):
             "the first waves at the coup are largest at "
             f"{page.milliseconds(float(probes['time'][top]))}; no probe has "
             f"moved by more than {page.quantity(float(shift), 'm')} then",
-            AGREES if shift < 5e-3 else DIFFERS))
+            verdict(shift < 5e-3)))
     shift = body_sections.largest_displacement(scene)
     if shift is not None:
-        few = 5e-3 <= shift[0] < 0.05
         found.append(Statement(
             "the maximum displacement is a few centimeters, which justifies "
             "the one-way coupling strategy",
             f"{page.quantity(shift[0], 'm')} at most after "
             f"{page.milliseconds(shift[1])}, in "
             + tissue_places.names(scene).get(shift[2], tissue_places.OTHER),
-            AGREES if few else PARTLY if 1e-3 < shift[0] < 0.1 else DIFFERS,
-            "" if few else "the softest parts move most; the model has "
-            "neither contact with the ground nor gravity"))
+            verdict(5e-3 <= shift[0] < 0.05, 1e-3 < shift[0] < 0.1),
+            "the softest parts move most; the model has neither contact with "
+            "the ground nor gravity"))
     return found
 
 
@@ -364,7 +339,7 @@ def _soft_and_stiff(scene):
     lung = pressures.get(tissue_places.LUNG)
     if bone is None or lung is None:
         return []
-    listed = sorted(pressures, key=lambda tissue: -pressures[tissue])
+    listed = sorted(pressures, key=pressures.get, reverse=True)
     return [Statement(
         "A stiff material like the skeleton has the higher pressure, while "
         "the pressure in a softer material like the lung is much lower",
@@ -373,31 +348,27 @@ def _soft_and_stiff(scene):
             f"{tissue_places.NAMES.get(tissue, 'body')} "
             f"{page.quantity(pressures[tissue], 'Pa', 2)}"
             for tissue in listed),
-        AGREES if bone > 3. * lung and listed[0] == tissue_places.SKELETON
-        else PARTLY if bone > lung else DIFFERS,
+        verdict(bone > 3. * lung and listed[0] == tissue_places.SKELETON,
+                bone > lung),
         "" if listed[0] == tissue_places.SKELETON else
         f"{tissue_places.NAMES.get(listed[0])} is nearly incompressible and "
         "enclosed, so that its pressure persists")]
 
 
 def _first_struck(places, probes):
-    begins = {}
-    for place in places:
-        begin = signals.arrival(probes["time"],
-                                place.pressure(probes))
-        if begin is not None:
-            begins[place.name] = begin
-    coup = begins.get("brain, coup")
-    contrecoup = begins.get("brain, contrecoup")
-    if coup is None or contrecoup is None:
+    begins = {place.name: begin for place in places if (
+        begin := signals.arrival(probes["time"], place.pressure(probes)))
+        is not None}
+    coup, contrecoup = (begins.get(f"brain, {name}")
+                        for name in ("coup", "contrecoup"))
+    if None in (coup, contrecoup):
         return []
-    order = sorted(begins, key=lambda name: begins[name])
+    order = sorted(begins, key=begins.get)
     return [Statement(
         "the blast wave first reaches the chest and front lobe of the brain",
         ", ".join(f"{name} {page.milliseconds(begins[name])}"
                   for name in order),
-        AGREES if coup < contrecoup and "chest" in order[0] else
-        PARTLY if coup < contrecoup else DIFFERS,
+        verdict(coup < contrecoup and "chest" in order[0], coup < contrecoup),
         "" if any("chest" in name for name in begins) or coup > contrecoup
         else "no probe is in the chest wall")]
 
@@ -407,9 +378,8 @@ def _brain(scene, probes):
     places = tissue_places.find_places(scene)
     near = tissue_places.named(places, ", coup")
     far = tissue_places.named(places, "contrecoup")
-    if near is None or far is None:
-        return []
-    if len(probes["time"]) < 2 or probes["time"][-1] <= probes["time"][0]:
+    if None in (near, far) or len(probes["time"]) < 2 \
+            or probes["time"][-1] <= probes["time"][0]:
         return []
     # All five on the same histories, as by plot.py coup.
     time, found = coup_facts.filtered(probes["time"], {
@@ -423,24 +393,29 @@ def _brain(scene, probes):
     begins = [signals.onset(time, values) for values in (coup, counter)]
     if None in begins:
         return []
-    delay = begins[1] - begins[0]
     size = max(np.abs(counter).max(), 1.)
     tops, dips = signals.extrema(time, counter, 0.15 * size)
-    found = [_delay(delay, near, far), _sign(time, counter, size, tops, dips),
-             _higher(coup, counter)]
-    return found + _peaks(tops, dips)
+    return [_delay(begins[1] - begins[0], near, far),
+            _sign(time, counter, size, tops, dips), Statement(
+                "the positive peak pressure in the contrecoup site was higher "
+                "than the coup site",
+                f"contrecoup {page.quantity(float(counter.max()), 'Pa')}, coup "
+                f"{page.quantity(float(coup.max()), 'Pa')}",
+                verdict(counter.max() > coup.max()),
+                "the wave spreads while it passes the brain; a focus at the far "
+                "side, as in an ellipsoid, is weak in a head of this shape"),
+            *_peaks(tops, dips)]
 
 
 def _delay(delay, near, far):
     way = float(np.linalg.norm(near.point - far.point))
-    close = 0.05e-3 < delay < 0.2e-3
     return Statement(
         "there was about a 0.1 millisecond time delay of pressure onset "
         "between coup and contrecoup sites",
         f"{page.milliseconds(delay, 2)} between first rises at the probes, which are "
-        f"{way:.2f} m apart", AGREES if close else DIFFERS,
-        "" if close else "waves travel around the brain through the skull, "
-        "in which sound is faster; in the brain of table 1 it needs "
+        f"{way:.2f} m apart", verdict(0.05e-3 < delay < 0.2e-3),
+        "waves travel around the brain through the skull, in which sound is "
+        "faster; in the brain of table 1 it needs "
         f"{page.milliseconds(way / 1480., 2)} for this distance")
 
 
@@ -449,7 +424,7 @@ def _sign(time, counter, size, tops, dips):
     negative = counter[begin] < 0.
     turned = np.flatnonzero((counter[begin:] < 0.) != negative)
     swing = counter[begin:begin + turned[0]] if turned.size else counter[begin:]
-    first = begin + int(np.abs(swing).argmax())
+    first = begin + np.abs(swing).argmax()
     # A swing before that may be too weak to stand out.
     weak = not negative and dips and (not tops or dips[0][0] < tops[0][0])
     return Statement(
@@ -460,22 +435,9 @@ def _sign(time, counter, size, tops, dips):
         + (", but weak; the first that stands out, "
            f"{page.quantity(dips[0][1], 'Pa', 2)} at "
            f"{page.milliseconds(dips[0][0])}, is negative" if weak else ""),
-        AGREES if negative else PARTLY if weak else DIFFERS,
-        "" if negative else "compression arrives through neck and skull base "
-        "before the skull moves away from the brain there")
-
-
-def _higher(coup, counter):
-    above = counter.max() > coup.max()
-    return Statement(
-        "the positive peak pressure in the contrecoup site was higher than "
-        "the coup site",
-        f"contrecoup {page.quantity(float(counter.max()), 'Pa')}, coup "
-        f"{page.quantity(float(coup.max()), 'Pa')}",
-        AGREES if above else DIFFERS,
-        "" if above else "the wave spreads while it passes the brain; a "
-        "focus at the far side, as in an ellipsoid, is weak in a head of "
-        "this shape")
+        verdict(negative, weak),
+        "compression arrives through neck and skull base before the skull moves "
+        "away from the brain there")
 
 
 def _peaks(tops, dips):
@@ -488,14 +450,14 @@ def _peaks(tops, dips):
         Statement(
             "at the contrecoup site three positive peaks are gradually "
             "weakening", f"positive peaks within 2.5 ms: {shown}",
-            AGREES if falling else PARTLY if len(highs) >= 3 else DIFFERS,
-            "" if falling else "waves through neck and skull are superposed "
-            "on the reflections within the head"),
+            verdict(falling, len(highs) >= 3),
+            "waves through neck and skull are superposed on the reflections "
+            "within the head"),
         Statement(
             "three negative pressure dips occurred over the cavitation limit "
             "of -100kPa",
             f"{len(deep)} dips below −100 kPa within 2.5 ms"
             + (", the deepest " + _kpa(min(deep)) if deep else ""),
-            AGREES if len(deep) == 3 else PARTLY if deep else DIFFERS,
-            "" if len(deep) == 3 else "without cavitation in the model, "
-            "nothing limits the tension" if len(deep) > 3 else "")]
+            verdict(len(deep) == 3, deep),
+            "without cavitation in the model, nothing limits the tension"
+            if len(deep) > 3 else "")]
