@@ -67,10 +67,9 @@ def rise_time(time, values):
     first, _ = find_peaks(time, values)
     if first is None:
         return np.nan
-    before = values[:first + 1]
-    low = int(np.argmax(before >= 0.1 * values[first]))
-    high = int(np.argmax(before >= 0.9 * values[first]))
-    return float(time[high] - time[low])
+    low, high = (time[np.argmax(values[:first + 1] >= part * values[first])]
+                 for part in (0.1, 0.9))
+    return float(high - low)
 
 
 def extrema(time, values, smallest):
@@ -80,10 +79,8 @@ def extrema(time, values, smallest):
     high = low = 0
     rising = None
     for i in range(1, len(values)):
-        if values[i] > values[high]:
-            high = i
-        if values[i] < values[low]:
-            low = i
+        high = i if values[i] > values[high] else high
+        low = i if values[i] < values[low] else low
         if rising is not False and values[high] - values[i] > smallest:
             if rising:
                 tops.append((float(time[high]), float(values[high])))
@@ -96,12 +93,15 @@ def extrema(time, values, smallest):
 
 
 def smooth(time, values, span):
-    """Running mean over @p span [s]."""
-    step = float(np.median(np.diff(time)))
-    count = max(1, int(round(span / step)))
-    kernel = np.ones(count) / count
-    padded = np.pad(values, (count // 2, count - 1 - count // 2), mode="edge")
-    return np.convolve(padded, kernel, mode="valid")
+    """Equal steps of time, and running means over @p span [s] there; the history
+    itself where it is too short for that."""
+    if len(time) < 5:
+        return time, values
+    even = np.linspace(time[0], time[-1], 2 * len(time))
+    count = max(1, int(round(span / float(np.median(np.diff(even))))))
+    padded = np.pad(np.interp(even, time, values),
+                    (count // 2, count - 1 - count // 2), mode="edge")
+    return even, np.convolve(padded, np.ones(count) / count, mode="valid")
 
 
 def low_pass(time, values, bandwidth):
@@ -119,8 +119,8 @@ def low_pass(time, values, bandwidth):
         np.linspace(even[-1], even[0], 2 * width)])
     ratio = np.fft.rfftfreq(len(whole), step) / bandwidth
     gain = 1. / (1. + (np.sqrt(2.) - 1.) * ratio**4)
-    filtered = np.fft.irfft(gain * np.fft.rfft(whole), len(whole))
-    return grid, filtered[width:width + len(even)]
+    return grid, np.fft.irfft(gain * np.fft.rfft(whole),
+                              len(whole))[width:width + len(even)]
 
 
 def find_peaks(time, over):

@@ -35,36 +35,40 @@ def _panels(run, cuts):
         1, len(cuts), squeeze=False, figsize=(
             width * len(cuts) + 0.9,
             width * (high - low)[1] / (high - low)[0] + 0.45))
+    low, high = low - margin, high + margin
     for axis, cut in zip(axes[0], cuts):
-        _draw_wall(run, axis, right, up, low - margin, high + margin)
-        axis.set_aspect("equal")
-        axis.set_xlim(low[0] - margin, high[0] + margin)
-        axis.set_ylim(low[1] - margin, high[1] + margin)
+        if run.planes:
+            _draw_wall(run.planes[0], axis, [right, up], np.ptp([low, high]))
+        axis.set(aspect="equal", xlim=(low[0], high[0]), ylim=(low[1], high[1]),
+                 title=f"{1e3 * cut.time:.3g} ms")
         axis.set_axis_off()
-        axis.set_title(f"{1e3 * cut.time:.3g} ms")
     return figure, axes[0]
 
 
-def _draw_wall(run, axis, right, up, low, high):
-    plane = run.impact()
-    if plane is None:
-        return
-    normal = plane.normal[[right, up]]
-    along = np.array([-normal[1], normal[0]]) * 2. * np.ptp(
-        np.stack([low, high]))
-    place = plane.point[[right, up]]
-    ends = np.stack([place - along, place + along])
-    axis.plot(*ends.T, color="black", linewidth=1.5, zorder=3)
+def _draw_wall(plane, axis, shown, size):
+    """A plane, longer than the picture of this size along the axes shown."""
+    normal, place = plane.normal[shown], plane.point[shown]
+    along = np.array([-normal[1], normal[0]]) * 2. * size
+    axis.plot(*np.stack([place - along, place + along]).T, color="black",
+              linewidth=1.5, zorder=3)
 
 
 def add_polygons(axis, cut, part, values=None, **options):
     """Polygons of a part of a cut, in one colour without values."""
     colours = {"facecolors": PALE, "edgecolors": PALE} if values is None else {
         "array": values, "edgecolors": "face"}
-    collection = PolyCollection(cut.polygons[part], linewidths=0.5,
-                                **colours, **options)
-    axis.add_collection(collection)
-    return collection
+    return axis.add_collection(PolyCollection(
+        cut.polygons[part], linewidths=0.5, **colours, **options))
+
+
+def _paint(axes, cuts, parts, values, label, **options):
+    """Parts of cuts in the colours of values, all else pale, and their bar."""
+    for axis, cut, part, of_part in zip(axes, cuts, parts, values):
+        add_polygons(axis, cut, ~part)
+        shown = add_polygons(axis, cut, part, of_part, **options)
+    axes[0].figure.colorbar(
+        shown, ax=axes, shrink=0.85, pad=0.01, label=label,
+        extend=style.beyond(np.concatenate(values), shown.norm))
 
 
 def draw_pressure(run, cuts):
@@ -77,14 +81,10 @@ def draw_pressure(run, cuts):
     largest = float(np.percentile(np.abs(inside), 99.8)) or 1.
     factor, unit = style.scale_unit("Pa", largest)
     figure, axes = _panels(run, cuts)
-    norm = style.about_zero(largest * factor)
     pressures = [cut.values["pressure"] * factor for cut in cuts]
-    for axis, cut, pressure in zip(axes, cuts, pressures):
-        shown = add_polygons(axis, cut, slice(None), pressure,
-                             cmap=style.DIVERGING, norm=norm)
-    figure.colorbar(shown, ax=axes, shrink=0.85, pad=0.01,
-                    extend=style.beyond(np.concatenate(pressures), norm),
-                    label=f"pressure [{unit}]")
+    _paint(axes, cuts, [np.ones(len(values), bool) for values in pressures],
+           pressures, f"pressure [{unit}]", cmap=style.DIVERGING,
+           norm=style.about_zero(largest * factor))
     return figure
 
 
@@ -93,18 +93,13 @@ def draw_shear(run, cuts):
     solids = [layer for name, layer in run.layer_of.items()
               if run.is_solid(name)]
     parts = [of_layers(run, cut.values, solids) for cut in cuts]
-    strains = np.concatenate([cut.values["shear_strain"][part]
-                              for cut, part in zip(cuts, parts)])
-    largest = float(np.percentile(strains, 99.8)) or 1.
+    strains = [cut.values["shear_strain"][part]
+               for cut, part in zip(cuts, parts)]
+    largest = float(np.percentile(np.concatenate(strains), 99.8)) or 1.
     figure, axes = _panels(run, cuts)
-    for axis, cut, part in zip(axes, cuts, parts):
-        add_polygons(axis, cut, ~part)
-        shown = add_polygons(
-            axis, cut, part, 100. * cut.values["shear_strain"][part],
-            cmap=style.SEQUENTIAL, norm=PowerNorm(0.5, 0., 100. * largest))
-    figure.colorbar(shown, ax=axes, shrink=0.85, pad=0.01,
-                    extend=style.beyond(100. * strains, shown.norm),
-                    label="shear strain [%]")
+    _paint(axes, cuts, parts, [100. * strain for strain in strains],
+           "shear strain [%]", cmap=style.SEQUENTIAL,
+           norm=PowerNorm(0.5, 0., 100. * largest))
     return figure
 
 
@@ -125,13 +120,10 @@ def draw_speed(run, cuts):
                                  axis=1) for cut, part in zip(cuts, parts)]
         largest = max(speed.max() for speed in speeds) or 1.
         own = axes[is_relative * len(cuts):(is_relative + 1) * len(cuts)]
-        for axis, cut, part, speed in zip(own, cuts, parts, speeds):
-            add_polygons(axis, cut, ~part)
-            shown = add_polygons(axis, cut, part, speed, cmap="viridis",
-                                 norm=Normalize(0., largest))
+        _paint(own, cuts, parts, speeds, f"{name} [m/s]", cmap="viridis",
+               norm=Normalize(0., largest))
+        for axis, cut in zip(own, cuts):
             _add_arrows(axis, run, cut, is_relative, largest)
-        figure.colorbar(shown, ax=own, shrink=0.85, pad=0.01,
-                        label=f"{name} [m/s]")
     return figure
 
 
@@ -141,12 +133,10 @@ def _add_arrows(axis, run, cut, is_relative, largest):
     part = of_layers(run, cut.centres, ("csf",))
     place = cut.centres["place"][part]
     velocity = velocity_of(cut.centres, part, is_relative)
-    centre = 0.5 * (place.min(axis=0) + place.max(axis=0))
-    away = place - centre
+    away = place - 0.5 * (place.min(axis=0) + place.max(axis=0))
     angles = (np.arange(MOST_ARROWS) + 0.5) * 2. * np.pi / MOST_ARROWS
-    wanted = np.stack([np.cos(angles), np.sin(angles)], axis=1)
     chosen = []
-    for direction in wanted:
+    for direction in np.stack([np.cos(angles), np.sin(angles)], axis=1):
         along = away @ direction
         beside = np.linalg.norm(away - along[:, None] * direction, axis=1)
         beside[along <= 0.] = np.inf
@@ -154,64 +144,66 @@ def _add_arrows(axis, run, cut, is_relative, largest):
         here = np.flatnonzero(beside <= 1.5 * beside.min())
         chosen.append(here[np.argsort(along[here])[len(here) // 2]])
     chosen = np.unique(chosen)
-    size = np.ptp(place[:, 1])
     axis.quiver(*place[chosen].T, *velocity[chosen].T, angles="xy",
-                scale_units="xy", scale=largest / (0.13 * size), width=0.006,
-                color="black", zorder=4)
+                scale_units="xy", scale=largest / (0.13 * np.ptp(place[:, 1])),
+                width=0.006, color="black", zorder=4)
 
 
-def _time_axis(axis, run):
-    axis.set_xlim(0., 1e3 * run.history["time"][-1])
-    axis.set_xlabel("time [ms]")
+def _charts(run, count, size=(9.4, 3.1), **options):
+    """Axes, side by side, over the time of the run [ms]."""
+    figure, axes = plt.subplots(1, count, squeeze=False, figsize=size, **options)
+    for axis in axes[0]:
+        axis.set(xlim=(0., 1e3 * run.history["time"][-1]), xlabel="time [ms]")
+    return figure, axes[0]
+
+
+def _chart(run, label, height=3.1):
+    """One of them, with room for a legend at its side."""
+    figure, (axis,) = _charts(run, 1, (9., height))
+    axis.set_ylabel(label)
+    return figure, axis
+
+
+def _legend_beside(axis):
+    axis.legend(loc="upper left", bbox_to_anchor=(1., 1.))
 
 
 def smoothed(run, values):
     """Running mean over SPAN, of rows that are evenly apart."""
     time = run.history["time"]
-    if len(time) < 5:
-        return values
-    even = np.linspace(time[0], time[-1], 2 * len(time))
-    means = signals.smooth(even, np.interp(even, time, values), SPAN)
-    return np.interp(time, even, means)
+    return np.interp(time, *signals.smooth(time, values, SPAN))
 
 
 def draw_contact(run):
     """Force and area over time, of the whole head."""
-    history = run.history
-    time = 1e3 * history["time"]
-    figure, axes = plt.subplots(1, 2, figsize=(9.4, 3.1))
-    force = history["contact_force"]
+    time = 1e3 * run.history["time"]
+    figure, (left, right) = _charts(run, 2)
+    force = run.history["contact_force"]
     mean = smoothed(run, force)
     shown, unit = style.scale_unit("N", max(mean.max(), 1e-12))
-    axes[0].plot(time, force * shown, color=style.COLOURS[5], linewidth=0.5,
-                 label="each row of the history")
-    axes[0].plot(time, mean * shown, color=style.COLOURS[0],
-                 label=f"mean over {1e6 * SPAN:.0f} µs")
-    axes[0].set_ylim(0., 1.6 * mean.max() * shown or 1.)
-    axes[0].set_ylabel(f"contact force [{unit}]")
-    axes[0].legend(loc="upper right")
-    axes[1].plot(time, history["contact_area"] * 1e4,
-                 color=style.COLOURS[0])
-    axes[1].set_ylabel("contact area [cm²]")
-    axes[1].set_ylim(bottom=0.)
-    for axis in axes:
-        _time_axis(axis, run)
+    left.plot(time, force * shown, color=style.COLOURS[5], linewidth=0.5,
+              label="each row of the history")
+    left.plot(time, mean * shown, color=style.COLOURS[0],
+              label=f"mean over {1e6 * SPAN:.0f} µs")
+    left.set(ylim=(0., 1.6 * mean.max() * shown or 1.),
+             ylabel=f"contact force [{unit}]")
+    left.legend(loc="upper right")
+    right.plot(time, run.history["contact_area"] * 1e4, color=style.COLOURS[0])
+    right.set(ylabel="contact area [cm²]", ylim=(0., None))
     return figure
 
 
 def draw_velocity(run):
     """Mean velocity of everything along the normal, and of solid layers."""
     time = 1e3 * run.history["time"]
-    figure, axis = plt.subplots(figsize=(9., 3.1))
+    figure, axis = _chart(run, "velocity from the wall [m/s]")
     axis.axhline(0., color=style.GREY, linewidth=0.7)
-    normal = run.impact().normal
-    for name in run.regions:
-        if run.is_solid(name):
-            layer = run.layer_of[name]
-            parts = [normal[d] * run.history[f"velocity_{'xyz'[d]}_{name}"]
-                     for d in range(3) if d not in run.mirrors]
-            axis.plot(time, sum(parts), linewidth=0.9, label=name,
-                      color=LAYER_COLOURS.get(layer))
+    for name in filter(run.is_solid, run.regions):
+        parts = [component * run.history[f"velocity_{'xyz'[d]}_{name}"]
+                 for d, component in enumerate(run.planes[0].normal)
+                 if d not in run.mirrors]
+        axis.plot(time, sum(parts), linewidth=0.9, label=name,
+                  color=LAYER_COLOURS.get(run.layer_of[name]))
     axis.plot(time, run.normal_velocity(), color="black", label="whole head")
     rebound = run.rebound()
     if rebound is not None:
@@ -220,9 +212,7 @@ def draw_velocity(run):
                       (1e3 * rebound, 0.04), (5, 0), fontsize=9,
                       xycoords=("data", "axes fraction"),
                       textcoords="offset points")
-    axis.set_ylabel("velocity from the wall [m/s]")
-    axis.legend(loc="upper left", bbox_to_anchor=(1., 1.))
-    _time_axis(axis, run)
+    _legend_beside(axis)
     return figure
 
 
@@ -230,76 +220,58 @@ def draw_pressures(run):
     """Least and largest pressure of the layers within the skull."""
     time = 1e3 * run.history["time"]
     layers = [layer for layer in ("csf", "brain") if run.region(layer)]
-    figure, axes = plt.subplots(1, len(layers), squeeze=False, sharey=True,
-                                figsize=(9.4, 3.1))
-    columns = [run.column(name + "_pressure", layer) for layer in layers
-               for name in ("least", "largest")]
-    factor, unit = style.scale_unit("Pa", max(np.abs(column).max()
-                                              for column in columns))
-    for axis, layer in zip(axes[0], layers):
+    figure, axes = _charts(run, len(layers), sharey=True)
+    columns = {(name, layer): run.column(name + "_pressure", layer)
+               for layer in layers for name in ("largest", "least")}
+    factor, unit = style.scale_unit("Pa", np.abs(list(columns.values())).max())
+    for axis, layer in zip(axes, layers):
         axis.axhline(0., color=style.GREY, linewidth=0.7)
-        for number, name in enumerate(("largest", "least")):
-            axis.plot(time, factor * run.column(name + "_pressure", layer),
-                      color=style.COLOURS[1 - number], linewidth=0.9,
-                      label=name)
+        for name, colour in zip(("largest", "least"), style.COLOURS[1::-1]):
+            axis.plot(time, factor * columns[name, layer], color=colour,
+                      linewidth=0.9, label=name)
         axis.set_title(run.region(layer))
         axis.legend()
-        _time_axis(axis, run)
-    axes[0, 0].set_ylabel(f"pressure [{unit}]")
+    axes[0].set_ylabel(f"pressure [{unit}]")
     return figure
 
 
 def draw_strains(run):
     """Largest shear strain of each solid, and largest speed in the CSF."""
-    time = 1e3 * run.history["time"]
-    figure, axes = plt.subplots(1, 2, figsize=(9.4, 3.1))
+    figure, axes = _charts(run, 2)
     for name in run.regions:
-        if run.is_solid(name):
-            axes[0].plot(
-                time, 100. * run.history[f"largest_shear_strain_{name}"],
-                label=name, color=LAYER_COLOURS.get(run.layer_of[name]))
+        axis, factor, quantity = (axes[0], 100., "shear_strain") \
+            if run.is_solid(name) else (axes[1], 1., "speed")
+        axis.plot(1e3 * run.history["time"],
+                  factor * run.history[f"largest_{quantity}_{name}"],
+                  label=name, color=LAYER_COLOURS.get(run.layer_of[name]))
     axes[0].set_ylabel("largest shear strain [%]")
-    axes[0].legend()
-    for name in run.regions:
-        if not run.is_solid(name):
-            axes[1].plot(time, run.history[f"largest_speed_{name}"],
-                         label=name,
-                         color=LAYER_COLOURS.get(run.layer_of[name]))
-    axes[1].set_ylabel("largest speed [m/s]")
-    axes[1].set_ylim(bottom=0.)
-    axes[1].legend()
+    axes[1].set(ylabel="largest speed [m/s]", ylim=(0., None))
     for axis in axes:
-        _time_axis(axis, run)
+        axis.legend()
     return figure
 
 
 def draw_probes(run, names):
     """Pressure at the probes; @p names say where they are."""
-    time = 1e3 * run.probes["time"]
-    columns = [run.probes[f"pressure_{number + 1}"]
-               for number in range(len(names))]
-    factor, unit = style.scale_unit("Pa", max(np.abs(column).max()
-                                              for column in columns))
-    figure, axis = plt.subplots(figsize=(9., 3.3))
+    columns = [run.probes[f"pressure_{number}"]
+               for number, _ in enumerate(names, 1)]
+    factor, unit = style.scale_unit("Pa", np.abs(columns).max())
+    figure, axis = _chart(run, f"pressure [{unit}]", 3.3)
     axis.axhline(0., color=style.GREY, linewidth=0.7)
     for column, name in zip(columns, names):
-        axis.plot(time, factor * column, linewidth=0.9, label=name)
-    axis.set_ylabel(f"pressure [{unit}]")
-    axis.legend(loc="upper left", bbox_to_anchor=(1., 1.))
-    _time_axis(axis, run)
+        axis.plot(1e3 * run.probes["time"], factor * column, linewidth=0.9,
+                  label=name)
+    _legend_beside(axis)
     return figure
 
 
 def draw_energy(run, ledger):
     """@p ledger has for each kind its name and its column [J]."""
-    time = 1e3 * run.history["time"]
-    figure, axis = plt.subplots(figsize=(9., 3.1))
+    figure, axis = _chart(run, "energy [J]")
     for number, (name, column) in enumerate(ledger):
-        axis.plot(time, column, label=name,
+        axis.plot(1e3 * run.history["time"], column, label=name,
                   color=style.COLOURS[number % len(style.COLOURS)],
                   linestyle="-" if number < 3 else "--" if number < len(
                       style.COLOURS) else ":")
-    axis.set_ylabel("energy [J]")
-    axis.legend(loc="upper left", bbox_to_anchor=(1., 1.))
-    _time_axis(axis, run)
+    _legend_beside(axis)
     return figure

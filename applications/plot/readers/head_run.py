@@ -3,12 +3,12 @@
 """Output on disk of a run of head_impact with a head: its layers, the plane
 that it hits, its histories, cuts through its fields."""
 
-import os
+import re
+from typing import NamedTuple
 
 import numpy as np
 
-from plot.readers import cuts, fields, files, vtk_file
-from plot.readers.rigid_motion import RigidMotion
+from plot.readers import cuts, files, vtk_file
 from plot.readers.stage import Stage
 
 # The published impact of a head on a wall (X. G. Tan, R. N. Saunders, A. Bagchi,
@@ -34,48 +34,48 @@ class Plane:
 
     def __init__(self, stage, name):
         self.name = name
-        point, normal = (stage.parameter(f"Plane {name}/{entry}")
+        point, normal = (stage.parameter(f"Plane {name}/{entry}") or []
                          for entry in ("Point", "Normal"))
-        if point is None or normal is None or len(point) != 3 \
-                or len(normal) != 3:
+        if not len(point) == len(normal) == 3:
             raise ValueError(f"Plane {name} has no point and normal")
         self.point = np.array(point)
         self.normal = normal / np.linalg.norm(normal)
         self.friction = (stage.parameter(f"Plane {name}/Friction") or [0.])[0]
 
 
-class Cut:
+class Cut(NamedTuple):
     """Cut of a plane through the cells at one time: polygons in the plane,
     cells that they belong to, and the fields in these cells; "carried" is the
     velocity that the skull has there as a rigid body."""
-
-    def __init__(self, time, polygons, values, centres):
-        self.time, self.polygons = time, polygons
-        self.values, self.centres = values, centres
+    time: float
+    polygons: np.ndarray
+    values: dict
+    centres: dict
 
 
 class HeadRun(Stage):
     """The folder of a run."""
 
+    def _sections(self, pattern):
+        """What such names of entries have at the place of a group."""
+        matches = (re.fullmatch(pattern, name) for name in self.parameters)
+        return [match[1] for match in matches if match]
+
     def __init__(self, folder):
         super().__init__(folder)
         self.history = self.table("history.csv")
         self.probes = self.table("probes.csv")
-        names = [key[len("Region "):-len("/Layer")] for key in self.parameters
-                 if key.startswith("Region ") and key.endswith("/Layer")]
-        self.regions = names
+        self.regions = self._sections("Region (.*)/Layer")
         self.layer_of = {name: layer_named(
-            self.parameters[f"Region {name}/Layer"], name) for name in names}
+            self.parameters[f"Region {name}/Layer"], name)
+                         for name in self.regions}
         with files.reading(self.path("parameters.prm")):
-            self.planes = [
-                Plane(self, key[len("Plane "):-len("/Normal")])
-                for key in self.parameters
-                if key.startswith("Plane ") and key.endswith("/Normal")]
+            self.planes = [Plane(self, name)
+                           for name in self._sections("Plane (.*)/Normal")]
         self.wedge_axis = self.parameters.get("Mesh/Wedge axis", "none")
         self.mirrors = [axis for axis, name in enumerate("xyz") if name in
                         self.parameters.get("Mesh/Symmetry planes", "")
                         or self.wedge_axis not in ("none", name)]
-        self._fields = None
 
     def is_head(self):
         """Whether there is anything that this can tell of: a layered head, or a
@@ -91,11 +91,10 @@ class HeadRun(Stage):
                 and all(self.region(layer)
                         for layer in ("brain", "csf", "skull"))):
             return False
-        speed = -float(self.normal_velocity()[0])
-        momentum = np.array([self.history[f"momentum_{axis}"][0]
-                             for axis in "xyz"]) / self.history["mass"][0]
-        return abs(np.linalg.norm(momentum) / PUBLISHED_SPEED - 1.) < 0.01 \
-            and abs(speed / PUBLISHED_SPEED - 1.) < 0.01 \
+        speeds = (np.linalg.norm(self.momentum()[0] / self.history["mass"][0]),
+                  -self.normal_velocity()[0])
+        return all(abs(speed / PUBLISHED_SPEED - 1.) < 0.01
+                   for speed in speeds) \
             and all(np.allclose(self.parameter(f"Mesh/{name}") or 0., size,
                                 1e-3) for name, size in PUBLISHED_SIZES.items())
 
@@ -108,29 +107,26 @@ class HeadRun(Stage):
     def region(self, layer):
         """The name of the region of a layer, "brain", "csf", "skull" or
         "scalp"; None if there is none."""
-        for name, known in self.layer_of.items():
-            if known == layer:
-                return name
-        return None
+        return next((name for name, known in self.layer_of.items()
+                     if known == layer), None)
 
     def is_solid(self, name):
         return f"largest_shear_strain_{name}" in self.history
-
-    def impact(self):
-        """The plane that is hit: the first one; None without any."""
-        return self.planes[0] if self.planes else None
 
     def column(self, quantity, layer):
         """A column of history.csv, or None."""
         name = f"{quantity}_{self.region(layer)}"
         return self.history[name] if name in self.history else None
 
+    def momentum(self):
+        """Of everything over time [kg m/s]."""
+        return np.stack([self.history[f"momentum_{axis}"] for axis in "xyz"],
+                        axis=1)
+
     def normal_velocity(self):
-        """Mean velocity of everything away from the plane over time
-        [m/s]."""
-        momentum = np.stack([self.history[f"momentum_{axis}"]
-                             for axis in "xyz"], axis=1)
-        return momentum @ self.impact().normal / self.history["mass"]
+        """Mean velocity of everything away from the plane that is hit, the
+        first one, over time [m/s]."""
+        return self.momentum() @ self.planes[0].normal / self.history["mass"]
 
     def contact(self, name):
         """A result of the summary on the contact, of every step; None if
@@ -158,23 +154,16 @@ class HeadRun(Stage):
         between rows; None if it does not."""
         return first_crossing(self.history["time"], self.normal_velocity())
 
-    def fields(self):
-        """Times and files of the outputs; [] without."""
-        if not os.path.exists(self.path("fields.pvd")):
-            return []
-        if self._fields is None:
-            with files.reading(self.path("fields.pvd")):
-                self._fields = fields.list_fields(self.folder)
-        return self._fields
-
     def states(self):
         """Moments of the impact by STATES [s], without those that the run does
         not reach; {} without a contact."""
+        if self.contact("contact_begin") is None:
+            return {}
         times = (self.contact("contact_begin"),
                  self.contact("peak_contact_force_time"), self.rebound(),
                  self.last_contact())
         return {name: time for name, time in zip(STATES, times)
-                if time is not None} if times[0] is not None else {}
+                if time is not None}
 
     def _later(self):
         """Outputs that show something, and when the impact ends."""
@@ -184,29 +173,29 @@ class HeadRun(Stage):
         if self.is_published():
             return later, end
         # Until the contact has begun there is nothing to be seen.
-        begin = states.get(STATES[0], 0.)
-        return [entry for entry in later if entry[0] > begin] \
-            or later[-1:], end
+        return [entry for entry in later if entry[0] > states.get(STATES[0], 0.)
+                ] or later[-1:], end
 
     def outputs_of_states(self):
         """Names of the states of the impact by the times of the outputs that are
         the nearest to them; of the published one no names, by the times of
         outputs at those of its pictures."""
         later, _ = self._later()
-        found = {}
         if self.is_published():
             return {entry[0]: [] for time in PUBLISHED_TIMES for entry in later
                     if abs(entry[0] - time) <= 0.02 * time}
+        found = {}
         for name, time in self.states().items() if later else ():
-            found.setdefault(nearest(later, time)[0], []).append(name)
+            found.setdefault(min((entry[0] for entry in later), key=lambda output:
+                                 abs(output - time)), []).append(name)
         return found
 
     def picked(self):
         """The outputs to show: those of outputs_of_states(); where these are
         few, others far from them, of the contact first."""
         later, end = self._later()
-        of_states = self.outputs_of_states()
-        chosen = {entry[0]: entry for entry in later if entry[0] in of_states}
+        states = self.outputs_of_states()
+        chosen = {entry[0]: entry for entry in later if entry[0] in states}
         for _ in range(LEAST_PANELS - len(chosen)):
             others = [entry for entry in later if entry[0] not in chosen]
             if others:
@@ -224,18 +213,16 @@ class HeadRun(Stage):
             return [cut for cut in cuts if any(
                 abs(cut.time - time) <= 0.02 * time
                 for time in PUBLISHED_FLOW_TIMES)] or cuts[-2:]
-        states = self.states()
-        wanted = {min((abs(cut.time - states[name]), cut.time)
-                      for cut in cuts)[1] for name in FLOW_STATES
-                  if name in states}
+        wanted = {min((abs(cut.time - time), cut.time) for cut in cuts)[1]
+                  for name, time in self.states().items()
+                  if name in FLOW_STATES}
         return [cut for cut in cuts if cut.time in wanted] or cuts[-2:]
 
     def cut_axes(self):
         """The axis normal to the cut, and those to the right and up: the cut
         holds the plane's normal, and is a plane of symmetry if one is, or the
         middle of a wedge."""
-        normal = np.abs(self.impact().normal) if self.planes \
-            else np.array([0., 0., 1.])
+        normal = np.abs(self.planes[0].normal) if self.planes else (0., 0., 1.)
         along = [axis for axis in (1, 0, 2) if normal[axis] < 0.5]
         through = next((axis for axis in along if axis in self.mirrors),
                        along[0])
@@ -264,8 +251,9 @@ class HeadRun(Stage):
                 parts.append(read(piece))
         found = {name: np.concatenate([part[name] for part in parts])
                  for name in parts[0]}
-        return {name: values[:, None] for name, values in found.items()} \
-            if self.has_particles() else found
+        if self.has_particles():
+            found = {name: values[:, None] for name, values in found.items()}
+        return found
 
     def middle(self, points):
         """Where cuts and mirrors are: a layered head's is at the origin; a file
@@ -298,7 +286,7 @@ class HeadRun(Stage):
             points = np.concatenate([points, points * sign])
             velocities = np.concatenate([velocities, velocities * sign])
             masses = np.concatenate([masses, masses])
-        return RigidMotion(points, velocities, masses).velocity_at(places)
+        return rigid_velocity(points, velocities, masses, places)
 
     def cut(self, entry):
         """The Cut of an output, mirrored to the whole head."""
@@ -328,11 +316,26 @@ class HeadRun(Stage):
         for name, vector in vectors.items():
             values[name] = vector[owners][:, [right, up]]
             centres[name] = vector[shown][:, [right, up]]
+        parts = {"polygons": polygons}, values, centres
         for number, axis in enumerate((right, up)):
             if axis in self.mirrors:
-                polygons, values, centres = _mirrored(number, polygons, values,
-                                                      centres)
-        return Cut(time, polygons, values, centres)
+                parts = [_mirrored(number, part) for part in parts]
+        return Cut(time, parts[0]["polygons"], *parts[1:])
+
+
+def rigid_velocity(points, velocities, masses, places):
+    """Velocities at some places of the rigid body that moves as a deformable one
+    does: with its mean velocity and the angular velocity of its angular momentum
+    about its centre of mass, which are those of least squares."""
+    centre, velocity = (np.average(values, axis=0, weights=masses)
+                        for values in (points, velocities))
+    away = points - centre
+    inertia = (masses @ np.sum(away**2, axis=1)) * np.eye(3) \
+        - (masses * away.T) @ away
+    # Rotation of least norm, as points on one line have any about it.
+    rotation = np.linalg.lstsq(
+        inertia, masses @ np.cross(away, velocities), rcond=None)[0]
+    return velocity + np.cross(rotation, places - centre)
 
 
 def layer_named(layer, region):
@@ -344,30 +347,20 @@ def layer_named(layer, region):
     return LAYERS.get(word, word)
 
 
-def nearest(outputs, time):
-    """The output, time and files, that is nearest to a time."""
-    return min(outputs, key=lambda entry: abs(entry[0] - time))
-
-
 def first_crossing(time, values):
     """When values first rise from below zero to above, or None."""
     after = np.flatnonzero((values[1:] > 0.) & (values[:-1] <= 0.))
-    if not after.size or values[after[0]] == values[after[0] + 1]:
+    if not after.size:
         return None
     i = after[0]
     part = values[i] / (values[i] - values[i + 1])
     return float(time[i] + part * (time[i + 1] - time[i]))
 
 
-def _mirrored(number, polygons, values, centres):
-    """Everything and its image, whose coordinate of that @p number is
-    opposite."""
-    sign = np.ones(2)
-    sign[number] = -1.
-    values = {name: np.concatenate([found, found * sign if found.ndim > 1
-                                    else found])
-              for name, found in values.items()}
-    centres = {name: np.concatenate([found, found * sign if found.ndim > 1
-                                     else found])
-               for name, found in centres.items()}
-    return np.concatenate([polygons, polygons * sign]), values, centres
+def _mirrored(number, fields):
+    """Fields by name and their images, in which the component of that @p number
+    of vectors is opposite."""
+    sign = np.where(np.arange(2) == number, -1., 1.)
+    return {name: np.concatenate([found, found * sign if found.ndim > 1
+                                  else found])
+            for name, found in fields.items()}

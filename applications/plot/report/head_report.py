@@ -28,23 +28,26 @@ ROUND_OFF = 1e-9  # of sums of energies, over the largest of them
 
 def build(run, folder):
     """The page; its pictures are left in @p folder as well."""
-    parts = page.Page("Impact of a head" if run.planes else "Motion of a head",
-                      _subtitle(run))
+    revision = run.summary.get("git_revision")
+    parts = page.Page(
+        "Impact of a head" if run.planes else "Motion of a head",
+        f"Contrecoup {run.summary.get('version', '')}"
+        + (f" ({revision})" if revision else "") + " · head_impact")
     judged = judge(run)
     parts.open_with(answer(run, judged), warnings({"": run}))
-    parts.section("The head and its wall", *scene(run))
-    parts.section("Cuts", *cuts(run, folder))
-    if run.planes:
-        parts.section("Contact and rebound", *contact(run, folder))
-    parts.section("Pressure and strain over time", *histories(run, folder))
-    parts.section("Energy", *energy(run, folder))
-    parts.section("Injury", *injury(run, judged))
-    if run.is_published():
-        parts.section("Against the paper", *head_paper.section(run))
-    parts.section("Parameters and assumptions", *assumptions(run))
-    parts.section("Cost", accuracy.cost_table(
-        [accuracy.cost_row("head_impact", {}, run)]))
-    parts.section("How to reproduce", *reproduce(run))
+    for name, content in (
+            ("The head and its wall", scene(run)), ("Cuts", cuts(run, folder)),
+            ("Contact and rebound", run.planes and contact(run, folder)),
+            ("Pressure and strain over time", histories(run, folder)),
+            ("Energy", energy(run, folder)), ("Injury", injury(run, judged)),
+            ("Against the paper",
+             run.is_published() and head_paper.section(run)),
+            ("Parameters and assumptions", assumptions(run)),
+            ("Cost", [accuracy.cost_table(
+                [accuracy.cost_row("head_impact", {}, run)])]),
+            ("How to reproduce", reproduce(run))):
+        if content:
+            parts.section(name, *content)
     return parts.render()
 
 
@@ -70,24 +73,10 @@ def _smoothing(run):
         f"(MPM/Smoothing = {smoothed})")
 
 
-def _averaged(run):
-    """That pressures of injury.csv are averages, in words."""
-    averaged = run.parameters.get("Injury/Pressure") == "averaged"
-    return ", pressures averaged over neighbouring ones," if averaged and (
-        not run.has_particles() or _smoothing(run)) else ""
-
-
-def _subtitle(run):
-    version = run.summary.get("version", "")
-    revision = run.summary.get("git_revision")
-    return f"Contrecoup {version}" + (f" ({revision})" if revision else "") \
-        + " · head_impact"
-
-
 def figure(folder, name, drawn, description, caption):
     """A figure of the page, which is a file of the folder as well."""
     content = page.render(drawn, "png")
-    path = os.path.join(folder, name + ".png")
+    path = os.path.join(folder, f"{name}.png")
     with open(path, "wb") as file:
         file.write(content)
     print(path)
@@ -102,9 +91,19 @@ def _symmetry(run):
             "an eighth of the head")[len(run.mirrors)]
 
 
+def probe_names(run):
+    """Where the probes are, in millimetres."""
+    return ["({})".format(", ".join(f"{1e3 * x + 0.:g}" for x in point)
+                          .replace("-", "−")) + " mm"
+            for point in files.points_of(run.parameters.get("Probes/Points"))]
+
+
 def extreme(run, quantity, layer, take):
     """The extremum of a column and when it is reached."""
-    column = run.column(quantity, layer)
+    return _at(run, run.column(quantity, layer), take)
+
+
+def _at(run, column, take):
     index = int(take(column))
     return float(column[index]), float(run.history["time"][index])
 
@@ -123,15 +122,13 @@ def largest_force(run):
     if run.contact("peak_contact_force_of_step") is not None:
         return (run.contact("peak_contact_force"),
                 run.contact("peak_contact_force_time"))
-    force = head_figures.smoothed(run, run.history["contact_force"])
-    index = int(np.argmax(force))
-    return float(force[index]), float(run.history["time"][index])
+    return _at(run, head_figures.smoothed(run, run.history["contact_force"]),
+               np.argmax)
 
 
 def answer(run, judged):
     """Events of the run, in a few plain sentences."""
-    mass = float(run.history["mass"][0])
-    text = [f"A head of {page.quantity(mass, 'kg')}"]
+    text = [f"A head of {page.quantity(run.history['mass'][0], 'kg')}"]
     if run.planes:
         text[0] += f" hits a rigid plane at {_impact_speed(run)}."
         rebound, end = run.rebound(), run.last_contact()
@@ -200,9 +197,8 @@ def _row_times(run):
 def _impact_speed(run):
     """Speed at the start, and the part of it towards the plane where that is
     less."""
-    speed = float(np.linalg.norm([run.history[f"momentum_{axis}"][0]
-                                  for axis in "xyz"]) / run.history["mass"][0])
-    normal = -float(run.normal_velocity()[0])
+    speed = np.linalg.norm(run.momentum()[0]) / run.history["mass"][0]
+    normal = -run.normal_velocity()[0]
     return page.quantity(speed, "m/s") + (
         "" if normal > 0.999 * speed else
         f", of which {page.quantity(normal, 'm/s')} are towards the plane")
@@ -212,12 +208,11 @@ def scene(run):
     """Layers and plane."""
     rows = []
     for name in run.regions:
-        key = f"Region {name}/"
-        material = run.parameters.get(key + "Material", "")
+        material = run.parameters.get(f"Region {name}/Material", "")
         constants = []
         for entry, unit in CONSTANTS.get(material, (("Density", "kg/m^3"),)):
-            value = run.parameters.get(key + entry)
-            number = run.parameter(key + entry)
+            value = run.parameters.get(f"Region {name}/{entry}")
+            number = run.parameter(f"Region {name}/{entry}")
             if value:
                 constants.append(f"{entry}: " + (
                     page.plain(number[0], unit).replace("^3", "³")
@@ -225,22 +220,22 @@ def scene(run):
         rows.append((name, _thickness(run, name), material,
                      "; ".join(constants)))
     parts = [page.table(("layer", "size", "material", "constants"), rows,
-                        widths=(12, 30, 14, 44))]
-    told = (f"{_symmetry(run).capitalize()} is computed"
-            + (": planes of symmetry, "
-               + ("lower sides of the mesh" if run.is_file() else
-                  "through its centre") + ", are normal to "
-               + " and ".join("xyz"[axis] for axis in run.mirrors)
-               + ". Forces, areas, masses and energies are those of the whole "
-               "head; pictures show both sides."
-               if run.mirrors else "."))
-    parts.append(page.paragraph(told))
+                        widths=(12, 30, 14, 44)),
+             page.paragraph(
+                 f"{_symmetry(run).capitalize()} is computed"
+                 + (": planes of symmetry, "
+                    + ("lower sides of the mesh" if run.is_file() else
+                       "through its centre") + ", are normal to "
+                    + " and ".join("xyz"[axis] for axis in run.mirrors)
+                    + ". Forces, areas, masses and energies are those of the "
+                    "whole head; pictures show both sides."
+                    if run.mirrors else "."))]
     for plane in run.planes:
-        words = " through ({}) m with normal ({})".format(
-            *(", ".join(page.number(float(x)) for x in vector)
-              for vector in (plane.point, plane.normal)))
+        point, normal = (", ".join(map(page.number, vector))
+                         for vector in (plane.point, plane.normal))
         parts.append(page.paragraph(
-            f"Rigid plane “{plane.name}”{words}, " + (
+            f"Rigid plane “{plane.name}” through ({point}) m with normal "
+            f"({normal}), " + (
                 f"coefficient of friction {page.number(plane.friction)}."
                 if plane.friction > 0. else "without friction.")))
     if len(run.planes) > 1:
@@ -258,8 +253,7 @@ def _thickness(run, name):
         return f"“{known}” of the file"
     if layer == "brain":
         axes = run.parameter("Mesh/Semi-axes") or []
-        return "semi-axes " + ", ".join(f"{1e3 * axis:g}" for axis in axes) \
-            + " mm"
+        return f"semi-axes {', '.join(f'{1e3 * axis:g}' for axis in axes)} mm"
     for entry in ("CSF", "Skull", "Scalp"):
         thickness = run.parameter(f"Mesh/{entry} thickness")
         if entry.lower() == layer and thickness:
@@ -273,13 +267,12 @@ def _thickness(run, name):
 
 def cuts(run, folder):
     """Pressure, shear strain and flow in the plane of the impact."""
-    chosen = run.picked()
-    if not chosen:
+    found = [run.cut(entry) for entry in run.picked()]
+    if not found:
         return [page.missing("fields after the start; Output/Fields interval "
                              "says how often they are written")]
-    found = [run.cut(entry) for entry in chosen]
     through = "xyz"[run.cut_axes()[0]]
-    times = page.moments([time for time, _ in chosen])
+    times = page.moments([cut.time for cut in found])
     where = ("through the middle of the mesh" if run.is_file() else
              "through the head's centre") + f", normal to {through}"
     solids = [name for name in run.regions if run.is_solid(name)]
@@ -292,7 +285,7 @@ def cuts(run, folder):
         "colours: red is compression, blue tension. The scale is that of brain "
         "and CSF" + (f", which the pressure of {page.joined(hard)} goes beyond"
                      if hard else "") + ". "
-        + choice(run, [time for time, _ in chosen]))]
+        + choice(run, [cut.time for cut in found]))]
     if solids:
         parts.append(figure(
             folder, "head_shear_strain", head_figures.draw_shear(run, found),
@@ -339,9 +332,17 @@ def contact(run, folder):
     """Force, area and momentum."""
     force, when = largest_force(run)
     velocity = run.normal_velocity()
-    rebound, end = run.rebound(), run.last_contact()
+    rebound, end = ("not until the end" if time is None else
+                    page.milliseconds(time)
+                    for time in (run.rebound(), run.last_contact()))
     rows = []
     limit = "≥ " if run.is_cut_off() else ""
+    largest, at = (run.contact(f"peak_contact_force_of_step{part}")
+                   for part in ("", "_time"))
+    # Not all summaries have it.
+    of_step = [] if largest is None else [
+        ("largest contact force of a single step",
+         limit + page.quantity(largest, "N"), page.milliseconds(at))]
     if run.contact("contact_begin") is not None:
         rows = [
             ("contact begins", "–",
@@ -349,7 +350,7 @@ def contact(run, folder):
             ("largest contact force, mean over "
              + page.quantity(head_figures.SPAN, 's'),
              limit + page.quantity(force, "N"), page.milliseconds(when)),
-            *_force_of_step(run, limit),
+            *of_step,
             ("largest contact area", limit + page.number(
                 1e4 * run.contact("peak_contact_area")) + " cm²",
              "–"),
@@ -358,11 +359,8 @@ def contact(run, folder):
     rows += [
         ("velocity towards the plane at the start",
          page.quantity(-float(velocity[0]), "m/s"), page.milliseconds(0.)),
-        ("momentum along the normal changes its sign", "–",
-         "not until the end" if rebound is None
-         else page.milliseconds(rebound)),
-        ("contact ends", "–", "not until the end" if end is None
-         else page.milliseconds(end)),
+        ("momentum along the normal changes its sign", "–", rebound),
+        ("contact ends", "–", end),
         ("velocity from the plane at the end",
          page.quantity(float(velocity[-1]), "m/s"),
          page.milliseconds(float(run.history["time"][-1])))]
@@ -384,15 +382,6 @@ def contact(run, folder):
                "changes its sign.")]
 
 
-def _force_of_step(run, limit):
-    """The row of the largest force of a single step, if the summary has it."""
-    force, when = (run.contact(f"peak_contact_force_of_step{part}")
-                   for part in ("", "_time"))
-    return [] if force is None else [
-        ("largest contact force of a single step",
-         limit + page.quantity(force, "N"), page.milliseconds(when))]
-
-
 def histories(run, folder):
     """Extrema of the layers, and probes."""
     parts = []
@@ -410,28 +399,25 @@ def histories(run, folder):
         "Largest shear strain of the solid layers, and largest speed of the "
         "CSF over time, from history.csv."))
     parts.append(_extrema(run))
-    points = files.points_of(run.parameters.get("Probes/Points", ""))
-    if run.probes is None or not len(points):
+    names = probe_names(run)
+    if run.probes is None or not names:
         return parts
-    names = ["({})".format(", ".join(f"{1e3 * x + 0.:g}" for x in point)
-                           .replace("-", "−")) + " mm" for point in points]
-    parts.append(figure(
-        folder, "head_probes", head_figures.draw_probes(run, names),
-        f"Curves of pressure over time in {len(points)} {_carriers(run)}.",
-        f"Pressure in the {_carriers(run)} that were "
-        + ("nearest to" if run.has_particles() else "at")
-        + " these places at the start, in every step, from probes.csv."))
     rows = []
-    for number, name in enumerate(names):
-        column = run.probes[f"pressure_{number + 1}"]
-        high, low = int(column.argmax()), int(column.argmin())
-        rows.append((name, *(text for index in (high, low) for text in (
-            page.quantity(float(column[index]), "Pa"),
-            page.milliseconds(float(run.probes["time"][index]))))))
-    parts.append(page.table(
-        ("probe", "highest pressure", "when it is highest", "lowest pressure",
-         "when it is lowest"), rows, numbers=(1, 2, 3, 4)))
-    return parts
+    for number, name in enumerate(names, 1):
+        column = run.probes[f"pressure_{number}"]
+        rows.append((name, *(text for index in (column.argmax(), column.argmin())
+                             for text in (
+            page.quantity(column[index], "Pa"),
+            page.milliseconds(run.probes["time"][index])))))
+    return parts + [
+        figure(folder, "head_probes", head_figures.draw_probes(run, names),
+               f"Curves of pressure over time in {len(names)} {_carriers(run)}.",
+               f"Pressure in the {_carriers(run)} that were "
+               + ("nearest to" if run.has_particles() else "at")
+               + " these places at the start, in every step, from probes.csv."),
+        page.table(("probe", "highest pressure", "when it is highest",
+                    "lowest pressure", "when it is lowest"), rows,
+                   numbers=(1, 2, 3, 4))]
 
 
 def _extrema(run):
@@ -447,16 +433,10 @@ def _extrema(run):
             column = f"{quantity}_{name}"
             if column not in run.history:
                 continue
-            index = int(take(run.history[column]))
-            value = float(run.history[column][index])
-            if unit == "%":
-                shown = page.percent(value, 3)
-            elif unit == "m^3":
-                shown = page.Rounded(page.number(1e6 * value) + " cm³", value,
-                                     "m^3")
-            else:
-                shown = page.quantity(value, unit)
-            when = float(run.history["time"][index])
+            value, when = _at(run, run.history[column], take)
+            shown = page.percent(value, 3) if unit == "%" else page.Rounded(
+                page.number(1e6 * value) + " cm³", value, unit) \
+                if unit == "m^3" else page.quantity(value, unit)
             if run.is_so_far(when):
                 shown = page.Rounded(page.limit(value) + shown, shown.value,
                                      shown.unit)
@@ -486,9 +466,9 @@ def work_parts(run):
     parts = [(label, history[name]) for name, label in (
         ("contact_work", along), ("friction_work", "thereof friction"),
         ("slip_work", "thereof slipping interfaces")) if name in history]
-    rest = history["external_work"] - sum(column for _, column in parts)
-    largest = np.max(np.abs(history["external_work"]))
-    if parts and np.max(np.abs(rest)) > ROUND_OFF * largest:
+    work = history["external_work"]
+    rest = work - sum(column for _, column in parts)
+    if parts and np.abs(rest).max() > ROUND_OFF * np.abs(work).max():
         parts.insert(0, (
             "thereof body forces" if "contact_work" in history or
             not run.planes else along + (
@@ -508,48 +488,44 @@ def ledger(run):
              ("internal", history["internal_energy"]),
              ("both", history["kinetic_energy"] + history["internal_energy"]),
              (work_label(run), history["external_work"])]
-    found += work_parts(run)
-    if "interface_work" in history:
-        found.append(("made up between fluid and solid",
-                      history["interface_work"]))
-    for name in ("stored_energy", "transfer_loss", "contact_loss"):
-        if name in history:
-            found.append((name.replace("_", " "), history[name]))
-    found.append(("missing", history["energy_residual"]))
-    return found
+    return found + work_parts(run) + [
+        (label, history[name]) for name, label in (
+            ("interface_work", "made up between fluid and solid"),
+            ("stored_energy", "stored energy"),
+            ("transfer_loss", "transfer loss"),
+            ("contact_loss", "contact loss")) if name in history] + [
+        ("missing", history["energy_residual"])]
 
 
 def false_energies(run):
     """Energies that the numerics of particles add or take, in a sentence."""
     history = run.history
-    largest = float(np.max(np.maximum(history["kinetic_energy"],
-                                      np.abs(history["internal_energy"]))))
+    largest = np.maximum(history["kinetic_energy"],
+                         np.abs(history["internal_energy"])).max()
     if not largest > 0.:
         return ""
-    given = np.max(history["stored_energy"] - history["internal_energy"])
-    words = [f"{page.percent(float(given) / largest, 2)} were given back by "
-             "the matter beyond what it had stored"] if given > 0. else []
+    given = (history["stored_energy"] - history["internal_energy"]).max()
+    words = [f"{page.percent(given / largest, 2)} were given back by the matter "
+             "beyond what it had stored"] if given > 0. else []
     if "friction_work" in history and not has_body_force(run):
-        work = np.max(np.abs(history["external_work"]
-                             - history["friction_work"]))
+        work = np.abs(history["external_work"] - history["friction_work"]).max()
         if work > 0.:
-            words.append(f"{page.percent(float(work) / largest, 2)} are work "
-                         "of planes at rest other than by friction")
+            words.append(f"{page.percent(work / largest, 2)} are work of planes "
+                         "at rest other than by friction")
     return ("Of the largest energy, " + page.joined(words) + ", at most, which "
-            "are errors of the numerics that smaller cells of the grid reduce.") if words else ""
+            "are errors of the numerics that smaller cells of the grid reduce."
+            ) if words else ""
 
 
 def energy(run, folder):
     """The ledger as a table and a picture."""
-    known = ledger(run)
-    time = run.history["time"]
-    rebound = run.rebound() if run.planes else None
-    moments = [("at the start", 0), ("at the end", len(time) - 1)]
-    if rebound is not None:
-        moments.insert(1, ("at the rebound",
-                           int(np.searchsorted(time, rebound))))
+    known, moments = ledger(run), {"at the start": 0}
+    if run.planes and run.rebound() is not None:
+        moments["at the rebound"] = np.searchsorted(run.history["time"],
+                                                    run.rebound())
+    moments["at the end"] = -1
     rows = [(name, *(page.quantity(float(column[index]), "J", 4)
-                     for _, index in moments)) for name, column in known]
+                     for index in moments.values())) for name, column in known]
     residual = run.found("checks", "energy_residual")
     parts = [] if residual is None else [page.paragraph(
         "What is missing in the ledger is "
@@ -568,8 +544,7 @@ def energy(run, folder):
            "Energy of hourglass control and artificial viscosity is "
            "internal."))]
     return parts + [
-        page.table(("energy of the whole head",
-                    *(name for name, _ in moments)), rows,
+        page.table(("energy of the whole head", *moments), rows,
                    numbers=range(1, 1 + len(moments))),
         figure(folder, "energy", head_figures.draw_energy(run, known),
                "Curves of kinetic and internal energy, their sum, and the "
@@ -579,13 +554,12 @@ def energy(run, folder):
 
 def judge(run):
     """Measures of injury.csv next to their thresholds."""
-    # Thresholds found for blunt impacts are no mere exposure here.
-    all_known = {name: known._replace(is_exposure=False) for name, known in
-                 injury_thresholds.known_by(run.parameters).items()}
+    all_known = injury_thresholds.known_by(run.parameters)
     return [injury_table.Judged(
         name, measure.value, measure.unit,
-        injury_table.of_file(name, measure, all_known), None, "",
-        is_cut=measure.is_cut)
+        # Thresholds found for blunt impacts are no mere exposure here.
+        injury_table.of_file(name, measure, all_known)._replace(
+            is_exposure=False), None, "", is_cut=measure.is_cut)
             for name, measure in measures(run).items()
             if name not in injury_thresholds.OF_CURVES]
 
@@ -602,7 +576,11 @@ def injury(run, judged):
             "injury.csv: no solid region is what Injury/Brain or Injury/Skull "
             "name, or the run was not finished")]
     every = (run.parameter("Injury/Every steps") or [1.])[0]
-    told = (f"Of the brain's {_carriers(run)}{_averaged(run)} and the skull's "
+    # Those of particles are averages where the grid smooths them.
+    averaged = ", pressures averaged over neighbouring ones," if run.parameters.get(
+        "Injury/Pressure") == "averaged" and (
+        not run.has_particles() or _smoothing(run)) else ""
+    told = (f"Of the brain's {_carriers(run)}{averaged} and the skull's "
             "mean motion, " + (f"in one of {every:g} steps, " if every > 1.
                                else "") + "from injury.csv.")
     if run.mirrors:
@@ -621,31 +599,27 @@ def injury(run, judged):
 
 def assumptions(run):
     """The plan and its audit, and the numbers of the run."""
-    parts = []
-    known = accuracy.audit_table(run)
-    if known:
-        parts.append(known)
-    rows = [(re.sub(r"\bcsf\b", "CSF", name.replace("_", " ")),
-             f"{float(format(run.found('checks', name), '.3g')):g}"
-             if name.startswith("cells_across") else
-             page.number(run.found("checks", name)))
-            for name in run.summary.get("checks") or {}
-            if run.found("checks", name) is not None]
-    settings = mesh_settings(run)
-    settings.append(("rows of history.csv",
-                     page.count(len(run.history["time"]))))
-    settings += [(f"least pressure of {name}",
-                  run.parameters.get(f"Region {name}/Least pressure", "none"))
-                 for name in run.regions
-                 if run.parameters.get(f"Region {name}/Material") == "tait"]
-    parts.append(page.table(("what", "value"), settings + rows, numbers=(1,)))
-    parts.append(page.paragraph(
-        "The head has neither neck nor membranes nor vessels, its layers "
-        + ("slip along each other without parting" if slips(run) else
-           "are bonded") + ", planes are rigid, and nothing breaks, however "
-        "large its strain: beyond that of the first fracture, forces and "
-        "accelerations are those of an unbroken skull."))
-    return parts
+    rows = mesh_settings(run)
+    rows.append(("rows of history.csv", page.count(len(run.history["time"]))))
+    rows += [(f"least pressure of {name}",
+              run.parameters.get(f"Region {name}/Least pressure", "none"))
+             for name in run.regions
+             if run.parameters.get(f"Region {name}/Material") == "tait"]
+    for name in run.summary.get("checks") or {}:
+        value = run.found("checks", name)
+        if value is not None:
+            rows.append((re.sub(r"\bcsf\b", "CSF", name.replace("_", " ")),
+                         f"{float(f'{value:.3g}'):g}"
+                         if name.startswith("cells_across") else
+                         page.number(value)))
+    return [
+        *filter(None, [accuracy.audit_table(run)]),
+        page.table(("what", "value"), rows, numbers=(1,)), page.paragraph(
+            "The head has neither neck nor membranes nor vessels, its layers "
+            + ("slip along each other without parting" if slips(run) else
+               "are bonded") + ", planes are rigid, and nothing breaks, however "
+            "large its strain: beyond that of the first fracture, forces and "
+            "accelerations are those of an unbroken skull.")]
 
 
 def mesh_settings(run):
@@ -658,38 +632,33 @@ def mesh_settings(run):
             (name.lower(), run.parameters.get(f"MPM/{name}", "–"))
             for name in ("Basis", "Transfer", "Update", "Series order",
                          "Smoothing", "Fields")]
-    mesh = ("file", os.path.basename(run.parameters.get("Mesh/File", "–"))) \
+    return [
+        ("cells in all", page.count(run.summary.get("cells") or 0)),
+        ("file", os.path.basename(run.parameters.get("Mesh/File", "–")))
         if run.is_file() else (
             "cell size at the brain's surface, about",
-            page.quantity((run.parameter("Mesh/Cell size") or [0.])[0], "m"))
-    return [
-        ("cells in all", page.count(run.summary.get("cells") or 0)), mesh,
-        ("smoothing of the fluid's mesh", run.parameters.get("Rezone/Kind",
-                                                             "–")),
+            page.quantity((run.parameter("Mesh/Cell size") or [0.])[0], "m")),
+        ("smoothing of the fluid's mesh",
+         run.parameters.get("Rezone/Kind", "–")),
         ("its interval", page.quantity(
             (run.parameter("Rezone/Interval") or [np.nan])[0], "s"))]
 
 
 def slips(run):
     """Whether layers slip along each other."""
-    by_interface = any(
+    fields = run.parameters.get("MPM/Fields", "") if run.has_particles() \
+        else "by interface"
+    return fields == "slip" or fields == "by interface" and any(
         run.parameters.get(f"Region {name}/Interface") == "slip"
         for name in run.regions)
-    if not run.has_particles():
-        return by_interface
-    fields = run.parameters.get("MPM/Fields", "")
-    return by_interface if fields == "by interface" else fields == "slip"
 
 
 def reproduce(run):
     """The parameter file as used."""
     tables = [name for name in ("history.csv", "probes.csv", "injury.csv")
               if os.path.exists(run.path(name))]
-    parts = [page.paragraph(
+    return [page.paragraph(
         f"Ranks: {run.summary.get('ranks', '–')}. Tables next to this page: "
-        f"{', '.join(tables)}; pictures in the folder pictures.")]
-    with files.reading(run.path("parameters.prm")), open(
-            run.path("parameters.prm"), encoding="utf-8") as file:
-        parts.append(page.folded_file("parameters.prm: every entry as used",
-                                      file.read()))
-    return parts
+        f"{', '.join(tables)}; pictures in the folder pictures."),
+            page.folded_file("parameters.prm: every entry as used",
+                             files.read_text(run.path("parameters.prm")))]

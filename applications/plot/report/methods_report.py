@@ -5,7 +5,6 @@
 import matplotlib.pyplot as plt
 import numpy as np
 
-from plot.readers import files
 from plot.analysis import signals
 from plot.figures import head_figures, style
 from plot.report import accuracy, head_report, page
@@ -25,16 +24,13 @@ class Pair:
 
     def __init__(self, first, second):
         self.runs = (first, second)
-        names = [name_of(run) for run in self.runs]
+        names = [NAMES.get(run.parameters.get("Method", "ale"), "?")
+                 for run in self.runs]
         self.names = names if names[0] != names[1] else [
             f"{name} {number}" for number, name in enumerate(names, 1)]
 
-    def both(self, function):
-        return [function(run) for run in self.runs]
-
-
-def name_of(run):
-    return NAMES.get(run.parameters.get("Method", "ale"), "?")
+    def both_have(self, layer):
+        return all(run.region(layer) for run in self.runs)
 
 
 def build(pair, folder):
@@ -54,65 +50,56 @@ def build(pair, folder):
 
 def quantities(pair):
     """Names, units and the values of both runs; None where one has none."""
-    rows = [("mass", "kg", pair.both(
-        lambda run: float(run.history["mass"][0])))]
+    rows = [("mass", "kg", [float(run.history["mass"][0]) for run in pair.runs])]
     if all(run.planes for run in pair.runs):
-        rows += [
-            ("largest contact force, mean over 50 µs", "N", pair.both(
-                lambda run: head_report.largest_force(run)[0])),
-            ("largest contact area", "m^2", pair.both(largest_area)),
-            ("contact impulse" + (" until the end of the run" if any(
-                pair.both(lambda run: run.is_cut_off())) else ""),
-             "N s", pair.both(
-                 lambda run: run.contact("contact_impulse"))),
-            ("momentum changes its sign", "s", pair.both(
-                lambda run: run.rebound())),
-            ("contact ends", "s", pair.both(lambda run: run.last_contact()))]
-    for layer in ("csf", "brain"):
+        until = " until the end of the run" if any(
+            run.is_cut_off() for run in pair.runs) else ""
+        rows += zip(
+            ("largest contact force, mean over 50 µs", "largest contact area",
+             f"contact impulse{until}", "momentum changes its sign",
+             "contact ends"), ("N", "m^2", "N s", "s", "s"),
+            zip(*map(_of_contact, pair.runs)))
+    for layer in filter(pair.both_have, ("csf", "brain")):
         for quantity, take in (("least_pressure", np.argmin),
                                ("largest_pressure", np.argmax)):
-            if all(run.region(layer) for run in pair.runs):
-                rows.append((
-                    f"{quantity.replace('_', ' ')} of {layer}", "Pa",
-                    pair.both(lambda run, q=quantity, l=layer, t=take:
-                              head_report.extreme(run, q, l, t)[0])))
-    if all(run.region("csf") for run in pair.runs):
-        rows.append(("largest speed of csf", "m/s", pair.both(
-            lambda run: float(run.column("largest_speed", "csf").max()))))
-    for number, name in enumerate(probe_names(pair)):
+            rows.append((f"{quantity.replace('_', ' ')} of {layer}", "Pa",
+                         [head_report.extreme(run, quantity, layer, take)[0]
+                          for run in pair.runs]))
+    if pair.both_have("csf"):
+        rows.append(("largest speed of csf", "m/s", [
+            float(run.column("largest_speed", "csf").max())
+            for run in pair.runs]))
+    for number, name in enumerate(probe_names(pair), 1):
         for span in (0., SPAN):
             rows += [(
                 f"{word} pressure at {name}" + (
                     f", mean over {page.quantity(span, 's')}" if span else ""),
-                "Pa", pair.both(lambda run, n=number, t=take, s=span: float(
-                    t(probe(run, n, s)))))
+                "Pa", [float(take(probe(run, number, span)))
+                       for run in pair.runs])
                 for word, take in (("least", np.min), ("largest", np.max))]
     return rows
 
 
+def _of_contact(run):
+    """Largest force and area, impulse, and times of rebound and end."""
+    return (head_report.largest_force(run)[0],
+            head_figures.smoothed(run, run.history["contact_area"]).max(),
+            run.contact("contact_impulse"), run.rebound(), run.last_contact())
+
+
 def probe(run, number, span):
     """Pressure at a probe, as running means over a span unless it is 0."""
-    time, values = run.probes["time"], run.probes[f"pressure_{number + 1}"]
-    if not span or len(time) < 5:
-        return values
-    even = np.linspace(time[0], time[-1], 2 * len(time))
-    return signals.smooth(even, np.interp(even, time, values), span)
-
-
-def largest_area(run):
-    """Largest smoothed contact area of the whole head."""
-    area = head_figures.smoothed(run, run.history["contact_area"])
-    return float(area.max())
+    values = run.probes[f"pressure_{number}"]
+    return signals.smooth(run.probes["time"], values, span)[1] if span \
+        else values
 
 
 def probe_names(pair):
     """Names of places that both runs follow; [] unless these are the same."""
-    texts = pair.both(lambda run: run.parameters.get("Probes/Points", ""))
-    if texts[0] != texts[1] or any(run.probes is None for run in pair.runs):
-        return []
-    return ["({})".format(", ".join(f"{1e3 * x + 0.:g}" for x in point)
-                          .replace("-", "−")) + " mm"
-            for point in files.points_of(texts[0])]
+    first, second = pair.runs
+    return head_report.probe_names(first) if first.probes and second.probes \
+        and first.parameters.get("Probes/Points", "") \
+        == second.parameters.get("Probes/Points", "") else []
 
 
 def largest_pressure(rows):
@@ -156,12 +143,10 @@ def shown_difference(values, unit, part):
 
 
 def table(pair, rows):
-    shown = [(name, *("–" if value is None else quantity(value, unit)
-                      for value in values),
-              shown_difference(values, unit, part))
-             for (name, unit, values), part in zip(
-                 rows, relative_differences(rows))]
-    return page.table(("whole head", *pair.names, "difference"), shown,
+    return page.table(("whole head", *pair.names, "difference"), [
+        (name, *("–" if value is None else quantity(value, unit)
+                 for value in values), shown_difference(values, unit, part))
+        for (name, unit, values), part in zip(rows, relative_differences(rows))],
                       "Pressures are extrema over cells or particles, and over "
                       "rows of the history. Differences are relative to the "
                       f"first run; of pressures below {100. * NEAR_ZERO:.0f} % "
@@ -173,21 +158,20 @@ def answer(pair, rows):
     known = {name: part for (name, _, _), part in zip(
         rows, relative_differences(rows))
              if part is not None and name != "mass"}
-    close = [name for name, part in known.items() if abs(part) <= AGREEMENT]
-    far = sorted((name for name in known if name not in close),
-                 key=lambda name: -abs(known[name]))
-    text = (f"{len(close)} of {len(known)} quantities of {pair.names[1]} are "
+    far = sorted((name for name, part in known.items()
+                  if abs(part) > AGREEMENT), key=lambda name: -abs(known[name]))
+    text = (f"{len(known) - len(far)} of {len(known)} quantities of "
+            f"{pair.names[1]} are "
             f"within {100. * AGREEMENT:.0f} % of those of {pair.names[0]}.")
     if far:
         text += " Farthest: " + "; ".join(
             f"{name} {100. * known[name]:+.0f} %" for name in far[:3]) + "."
-    seconds = pair.both(lambda run: files.as_number(
-        (run.summary.get("performance") or {}).get("core_seconds")))
+    seconds = [(run.summary.get("performance") or {}).get("core_seconds")
+               for run in pair.runs]
     if None not in seconds and seconds[0] > 0.:
-        ratio = page.number(seconds[1] / seconds[0])
-        text += (f" {pair.names[1]} took {ratio} times the processor time of "
-                 f"{pair.names[0]}.")
-    ends = pair.both(lambda run: float(run.history["time"][-1]))
+        text += (f" {pair.names[1]} took {page.number(seconds[1] / seconds[0])} "
+                 f"times the processor time of {pair.names[0]}.")
+    ends = [float(run.history["time"][-1]) for run in pair.runs]
     if abs(ends[1] / ends[0] - 1.) > SAME_END:
         text += (" The runs end at different times, after "
                  + " and ".join(map(page.milliseconds, ends))
@@ -210,9 +194,7 @@ def _histories(pair, panels):
                                                 style.COLOURS):
             axis.plot(1e3 * time, factor * values, label=name, color=colour,
                       linewidth=1.)
-        axis.set_title(title)
-        axis.set_ylabel(f"[{shown}]")
-        axis.set_xlabel("time [ms]")
+        axis.set(title=title, ylabel=f"[{shown}]", xlabel="time [ms]")
         axis.legend()
     return figure
 
@@ -220,12 +202,10 @@ def _histories(pair, panels):
 def contact(pair, folder):
     if not all(run.planes for run in pair.runs):
         return [page.missing("planes")]
-    panels = [(title, unit, pair.both(lambda run, c=column: (
-        run.history["time"],
-        head_figures.smoothed(run, run.history[c]))))
-        for title, unit, column in (
-            ("contact force", "N", "contact_force"),
-            ("contact area", "m^2", "contact_area"))]
+    panels = [(f"contact {word}", unit, [
+        (run.history["time"], head_figures.smoothed(
+            run, run.history[f"contact_{word}"])) for run in pair.runs])
+        for word, unit in (("force", "N"), ("area", "m^2"))]
     return [head_report.figure(
         folder, "contact_of_both", _histories(pair, panels),
         "Curves of contact force and area over time by both methods.",
@@ -234,25 +214,21 @@ def contact(pair, folder):
 
 def pressures(pair, folder):
     parts = []
-    for layer in ("csf", "brain"):
-        if not all(run.region(layer) for run in pair.runs):
-            continue
-        panels = [(f"{word} pressure of {layer}", "Pa", pair.both(
-            lambda run, q=quantity, l=layer: (run.history["time"],
-                                              run.column(q, l))))
-                  for word, quantity in (("least", "least_pressure"),
-                                         ("largest", "largest_pressure"))]
+    for layer in filter(pair.both_have, ("csf", "brain")):
+        panels = [(f"{word} pressure of {layer}", "Pa", [
+            (run.history["time"], run.column(f"{word}_pressure", layer))
+            for run in pair.runs]) for word in ("least", "largest")]
         parts.append(head_report.figure(
             folder, f"pressures_{layer}", _histories(pair, panels),
             f"Curves of the least and largest pressure of {layer} by both "
             "methods.", f"Least and largest pressure of {layer}."))
-    names = probe_names(pair)
-    for begin in range(0, len(names), 2):
-        panels = [(name, "Pa", pair.both(lambda run, n=number: (
-            run.probes["time"], run.probes[f"pressure_{n + 1}"])))
-            for number, name in list(enumerate(names))[begin:begin + 2]]
+    panels = [(name, "Pa", [(run.probes["time"], probe(run, number, 0.))
+                            for run in pair.runs])
+              for number, name in enumerate(probe_names(pair), 1)]
+    for begin in range(0, len(panels), 2):
         parts.append(head_report.figure(
-            folder, f"probes_{begin // 2 + 1}", _histories(pair, panels),
+            folder, f"probes_{begin // 2 + 1}",
+            _histories(pair, panels[begin:begin + 2]),
             "Curves of pressure at probes by both methods.",
             "Pressure at probes."))
     return parts or [page.missing("a brain and its CSF in both runs")]
@@ -267,9 +243,8 @@ def cuts(pair, folder):
         return [page.missing("fields of both runs at the same times")]
     found = [[run.cut(entry) for run, entry in zip(pair.runs, entries)]
              for entries in chosen]
-    drawn = _draw_cuts(pair, found)
     return [head_report.figure(
-        folder, "pressure_of_both", drawn,
+        folder, "pressure_of_both", _draw_cuts(pair, found),
         "Rows of cuts through the head, coloured by pressure: by the first "
         "method, the second, and their difference.",
         "Pressure in a cut through the head's centre: "
@@ -294,21 +269,17 @@ def _draw_cuts(pair, found):
                                 figsize=(2.5 * len(found) + 0.9, 8.2))
     drawn = []
     for number, cuts_of_time in enumerate(found):
-        for row, (run, cut) in enumerate(zip(pair.runs, cuts_of_time)):
+        for axis, cut in zip(axes[:, number], cuts_of_time):
             drawn.append(cut.values["pressure"] * factor)
             shown = head_figures.add_polygons(
-                axes[row, number], cut, slice(None), drawn[-1],
-                cmap=style.DIVERGING, norm=norm)
+                axis, cut, slice(None), drawn[-1], cmap=style.DIVERGING, norm=norm)
         values, extent = _rasters(pair, cuts_of_time)
         difference = factor * (values[1] - values[0])
         drawn.append(difference.ravel())
         axes[2, number].imshow(difference, origin="lower", extent=extent,
                                cmap=style.DIVERGING, norm=norm)
-        for row, title in enumerate((*pair.names, "difference")):
-            axis = axes[row, number]
-            axis.set_aspect("equal")
-            axis.set_xlim(extent[0], extent[1])
-            axis.set_ylim(extent[2], extent[3])
+        for axis, title in zip(axes[:, number], (*pair.names, "difference")):
+            axis.set(aspect="equal", xlim=extent[:2], ylim=extent[2:])
             axis.set_axis_off()
             axis.set_title(f"{title}, {1e3 * cuts_of_time[0].time:.3g} ms",
                            fontsize=9)
@@ -321,8 +292,8 @@ def _draw_cuts(pair, found):
 def _rasters(pair, cuts_of_time):
     """Pressure of brain and CSF of both runs on one raster, NaN elsewhere, and
     its extent."""
-    points = cuts_of_time[0].polygons.reshape(-1, 2)
-    low, high = points.min(axis=0), points.max(axis=0)
+    low, high = (take(cuts_of_time[0].polygons, axis=(0, 1))
+                 for take in (np.min, np.max))
     size = (high - low).max() / RASTER
     n = np.ceil((high - low) / size).astype(int)
     values = []
@@ -341,10 +312,10 @@ def _rasters(pair, cuts_of_time):
 
 
 def energy(pair):
-    ledgers = [dict(head_report.ledger(run)) for run in pair.runs]
+    first, second = (dict(head_report.ledger(run)) for run in pair.runs)
     rows = [(name, *(page.quantity(float(ledger[name][-1]), "J", 4)
-                     if name in ledger else "–" for ledger in ledgers))
-            for name in dict.fromkeys([*ledgers[0], *ledgers[1]])]
+                     if name in ledger else "–" for ledger in (first, second)))
+            for name in first | second]
     return [
         page.table(("energy of the whole head at the end", *pair.names), rows,
                    numbers=(1, 2)),
