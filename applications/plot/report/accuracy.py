@@ -16,8 +16,7 @@ PLAN_WIDTHS = (10, 17, 19, 9, 9, 10, 7, 19)
 
 def plan(scene):
     """The plan and its audit: scene.json's, and that of the blast."""
-    parts = []
-    audited = scene.list_of("audit")
+    parts, audited = [], scene.list_of("audit")
     if audited:
         parts.append(page.table(
             ("item", "assumption", "quantity", "estimate before", "found after",
@@ -34,9 +33,7 @@ def plan(scene):
               row.get("quantity", ""), row.get("estimate", ""),
               page.tag("code", row.get("entry", "")))
              for row in scene.list_of("plan")]))
-    told = {row.get("item") for row in audited}
-    known = audit_table(scene.blast, told)
-    if known:
+    if known := audit_table(scene.blast, {row.get("item") for row in audited}):
         parts += [page.tag("h3", "Further assumptions of the blast"), known]
     return parts or [page.missing("plan and audit in scene.json and the "
                                   "blast's summary.json")]
@@ -72,10 +69,9 @@ def _words(item):
 
 
 def _holds(value):
-    if value is None:
-        return page.tag("span", "not judged", kind="none")
-    return page.tag("span", "yes" if value else "no",
-                    kind="good" if value else "bad")
+    words, kind = ("not judged", "none") if value is None else \
+        ("yes", "good") if value else ("no", "bad")
+    return page.tag("span", words, kind=kind)
 
 
 def _audit_row(name, entry):
@@ -86,14 +82,12 @@ def _audit_row(name, entry):
         return "–" if value is None else write(value, unit)
 
     limit = "–"
-    for key, word in (("at_most", "at most "), ("at_least", "at least ")):
+    for key in ("at_most", "at_least"):
         if files.as_number(entry.get(key)) is not None:
-            limit = word + shown(entry[key], page.plain)
-    measured = shown(entry.get("measured"))
-    judged = None if limit == "–" else entry.get("holds")
-    return (_words(name), entry.get("decision", ""),
-            entry.get("quantity", ""), shown(entry.get("estimate")),
-            measured, limit, _holds(judged),
+            limit = f"{_words(key)} {shown(entry[key], page.plain)}"
+    return (_words(name), entry.get("decision", ""), entry.get("quantity", ""),
+            shown(entry.get("estimate")), shown(entry.get("measured")), limit,
+            _holds(None if limit == "–" else entry.get("holds")),
             page.tag("code", str(entry.get("entry", ""))))
 
 
@@ -104,34 +98,31 @@ def statement(scene, judged):
         "the model (detonation, afterburn, tissue properties), and the "
         "thresholds, which were derived from other models and from animals. "
         "This section estimates the errors of the numerics.")]
-    free = _free_air(scene)
-    if free:
+    if free := _free_air(scene):
         parts += [page.tag("h3", "Against measurements "
                            + reflections.place_of_burst(scene)), free]
     parts += [page.tag("h3", "This scene with larger cells and elements"),
               error_estimate.section(scene, judged)]
-    checks = _checks(scene)
-    if checks:
+    if checks := _checks(scene):
         parts += [page.tag("h3", "Checks within this run"),
                   page.bullets(checks)]
     return parts
 
 
 def _free_air(scene):
+    def found(number, name):
+        return scene.blast.found("results", f"probe_{number}_{name}")
+
     rows = []
     for quantity, unit in (("peak_overpressure", "Pa"), ("impulse", "Pa s"),
                            ("arrival", "s"), ("duration", "s")):
         number = 1
-        while scene.blast.found("results",
-                                f"probe_{number}_{quantity}") is not None:
-            stem = f"probe_{number}_"
-            here = scene.incident_peak(number) \
-                if quantity == "peak_overpressure" \
-                else scene.blast.found("results", stem + quantity)
-            known = scene.blast.found("results",
-                                      stem + "reference_" + quantity)
+        while (here := found(number, quantity)) is not None:
+            if quantity == "peak_overpressure":
+                here = scene.incident_peak(number)
+            known = found(number, f"reference_{quantity}")
             is_cut = quantity in reflections.OF_THE_PHASE \
-                and bool(scene.blast.found("results", stem + "cut_off"))
+                and bool(found(number, "cut_off"))
             if known:
                 rows.append((_probe_place(scene, number),
                              quantity.replace("_", " "),
@@ -148,8 +139,8 @@ def _free_air(scene):
         rows,
         f"The reference is a bare charge {reflections.place_of_burst(scene)} "
         "(C. N. Kingery, G. Bulmash, ARBRL-TR-02555, 1984). "
-        + reflections.note(scene, "the first probe" if scene.blast.found(
-            "results", "probe_2_arrival") is not None else "the probe")
+        + reflections.note(scene, "the probe" if found(2, "arrival") is None
+                           else "the first probe")
         + (" ≥: a lower limit, since the run ends within the positive phase "
            "there; it has no difference." if any(
                row[2].startswith("≥") for row in rows) else ""),
@@ -166,22 +157,16 @@ def _probe_place(scene, number):
         point = []
     if len(point) != 3 or charge is None:
         return f"probe {number}"
-    away = math.dist(point, charge)
-    place = page.point([round(x, 3) + 0. for x in point])
-    return f"({place}) m, {page.quantity(away, 'm')} from the charge"
-
-
-def _round_off(part):
-    """A part in per cent, where no more than round-off may be left."""
-    return "0" if abs(part) < 1e-9 else page.number(100. * part, 2)
+    return (f"({page.point([round(x, 3) + 0. for x in point])}) m, "
+            f"{page.quantity(math.dist(point, charge), 'm')} from the charge")
 
 
 def _checks(scene):
-    found = scene.biomechanics.found
     items = []
-    unmatched = found("checks", "loads_unmatched_facets")
-    largest = found("checks", "loads_largest_distance")
-    mean = found("checks", "loads_mean_distance")
+    unmatched, largest, mean, factor = (
+        scene.biomechanics.found("checks", f"loads_{name}") for name in (
+            "unmatched_facets", "largest_distance", "mean_distance",
+            "impulse_factor"))
     if None not in (unmatched, largest, mean):
         items.append(
             "Loads: facets of the body without a recorded facet: "
@@ -193,14 +178,14 @@ def _checks(scene):
         recorded, mapped = impulses
         change = mapped / recorded - 1.
         change = change if abs(change) > ROUND_OFF else 0.
-        factor = found("checks", "loads_impulse_factor")
+        largest_correction, *_ = scene.biomechanics.parameter(
+            "Loads/Recorded/Largest correction") or [0.1]
         mended = "" if factor is None else (
             ", after all pressures were multiplied by "
             f"{page.number(factor)} so that the impulses agree"
             if factor != 1. else "; pressures are as recorded" + (
                 ", since the impulses differ by too much for one factor on all "
-                "of them" if abs(change) >=
-                load_impulses.largest_correction(scene) else ""))
+                "of them" if abs(change) >= largest_correction else ""))
         when, where = load_impulses.kind(scene)
         items.append(
             f"Impulse: {page.quantity(recorded, 'N s')} recorded on the whole "
@@ -220,8 +205,9 @@ def _checks(scene):
                           f"{told[0]} recorded and {told[1]} on the elements.")
     loss = scene.blast.found("checks", "loads_sampled_peak_loss")
     if loss is not None:
-        items.append("Recording: samples miss at most "
-                     f"{_round_off(loss)} % of the peak on a facet or gauge.")
+        shown = "0" if abs(loss) < ROUND_OFF else page.number(100. * loss, 2)
+        items.append(f"Recording: samples miss at most {shown} % of the peak on a "
+                     "facet or gauge.")
     rough = scene.measures().get("injury_pressure_roughness")
     if rough is not None:
         items.append(
@@ -234,19 +220,11 @@ def _checks(scene):
 
 def cost(scene):
     """A row for each stage."""
-    rows = []
     listed = {stage.get("name"): stage for stage in scene.list_of("stages")}
-    for name, stage in (("anatomy", scene.anatomy), ("blast", scene.blast),
-                        ("biomechanics", scene.biomechanics)):
-        told = listed.pop(name, {})
-        if not told and not stage.exists:
-            continue
-        rows.append(cost_row(name, told, stage))
-    rows += [cost_row(str(name), told, scene.stage(name))
-             for name, told in listed.items()]
-    if not rows:
-        return [page.missing("stages in scene.json")]
-    return [cost_table(rows)]
+    rows = [cost_row(str(name), listed.get(name, {}), scene.stage(name))
+            for name in dict.fromkeys((*STAGES, *listed))
+            if listed.get(name) or scene.stage(name).exists]
+    return [cost_table(rows) if rows else page.missing("stages in scene.json")]
 
 
 def cost_table(rows):
@@ -259,40 +237,34 @@ def cost_table(rows):
 
 def cost_row(name, told, stage):
     """Costs of a stage."""
-    summary = stage.summary if stage else {}
+    summary = stage.summary
     spent = (summary.get("performance") or {}) | {
         "wall_seconds": summary.get("wall_seconds")}
-
-    def value(key, other):
-        known = files.as_number(told.get(key))
-        return known if known is not None \
-            else files.as_number(spent.get(other))
-
+    wall, cores, memory = (
+        files.as_number(spent.get(other)) if told.get(key) is None
+        else files.as_number(told[key])
+        for key, other in (("wall_seconds",) * 2, ("core_seconds",) * 2,
+                           ("peak_memory", "peak_memory_bytes")))
     disk = files.as_number(told.get("disk"))
-    if disk is None and stage and stage.exists:
+    if disk is None and stage.exists:
         disk = float(sum(os.path.getsize(os.path.join(here, file))
                          for here, _, names in os.walk(stage.folder)
                          for file in names))
     most = files.as_number(spent.get("largest_cells"))
     adapted = most is not None and most != summary.get("cells")
     sizes = [f"{page.count(most)} cells at most"] if adapted else []
-    sizes += [f"{page.count(summary[key])} {word}" +
-              (" at the end" if adapted and key != "steps" else "")
-              for key, word in (("cells", "cells"), ("unknowns", "unknowns"),
-                                ("steps", "steps"))
-              if summary.get(key) is not None]
-    status = str(told.get("status") or summary.get("status") or "–")
-    return (name, status + _interruptions(summary),
-            _duration(value("wall_seconds", "wall_seconds")),
-            _duration(value("core_seconds", "core_seconds")),
-            _bytes(value("peak_memory", "peak_memory_bytes")), _bytes(disk),
-            ", ".join(sizes) or "–")
+    sizes += [f"{page.count(summary[word])} {word}" +
+              (" at the end" if adapted and word != "steps" else "")
+              for word in ("cells", "unknowns", "steps")
+              if summary.get(word) is not None]
+    return (name, str(told.get("status") or summary.get("status") or "–")
+            + _interruptions(summary), _duration(wall), _duration(cores),
+            _bytes(memory), _bytes(disk), ", ".join(sizes) or "–")
 
 
 def _interruptions(summary):
     """Where the starts after the first one continued, after a status."""
-    places = [f"step {page.count(one['step'])} "
-              f"({page.quantity(one['time'], 's')})"
+    places = [f"step {page.count(one['step'])} ({page.quantity(one['time'], 's')})"
               for one in summary.get("interruptions") or []
               if {"step", "time"} <= one.keys()]
     return f", interrupted: went on from {page.joined(places)}" \
@@ -303,11 +275,9 @@ def _duration(seconds):
     if seconds is None:
         return "–"
     minutes, rest = divmod(int(seconds + 0.5), 60)
-    text = f"{minutes // 60} h {minutes % 60:02d} min"
-    if minutes == 0:
-        text = f"{page.number(seconds, 2)} s"
-    elif minutes < 60:
-        text = f"{minutes} min {rest:02d} s"
+    text = f"{page.number(seconds, 2)} s" if minutes == 0 else \
+        f"{minutes} min {rest:02d} s" if minutes < 60 else \
+        f"{minutes // 60} h {minutes % 60:02d} min"
     return page.Rounded(text, seconds, "s")
 
 
@@ -333,26 +303,20 @@ def reproduce(scene):
         parts += [page.tag("pre", command), page.paragraph(
             "What is finished in the folder is kept; --overwrite computes all "
             "anew, another folder after --output keeps both.", kind="note")]
-    rows = []
-    for name, stage in (("scene", None), ("anatomy", scene.anatomy),
-                        ("blast", scene.blast),
-                        ("biomechanics", scene.biomechanics)):
-        known = facts if stage is None else stage.summary
-        if known.get("version"):
-            rows.append((name, known["version"],
-                         page.tag("code", known.get("git_revision", "–")),
-                         known.get("ranks", "–")))
+    stages = [(name, getattr(scene, name)) for name in STAGES]
+    rows = [(name, known["version"],
+             page.tag("code", known.get("git_revision", "–")),
+             known.get("ranks", "–"))
+            for name, known in [("scene", facts)] + [
+                (name, stage.summary) for name, stage in stages]
+            if known.get("version")]
     if rows:
         parts.append(page.table(("application", "version", "revision", "ranks"),
                                 rows))
-    for name, folder in [("", scene.folder)] + [
-            (name, getattr(scene, name).folder) for name in STAGES]:
-        path = os.path.join(folder, "parameters.prm")
+    for name, stage in [("", scene)] + stages:
+        path = os.path.join(stage.folder, "parameters.prm")
         if os.path.exists(path):
-            with files.reading(path), open(
-                    path, encoding="utf-8") as file:
-                text = file.read()
             parts.append(page.folded_file(
-                os.path.join(name, "parameters.prm")
-                + ": all entries as used", text))
+                os.path.join(name, "parameters.prm") + ": all entries as used",
+                files.read_text(path)))
     return parts or [page.missing("scene.json and the parameter files")]

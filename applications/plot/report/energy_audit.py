@@ -18,11 +18,11 @@ class EnergyAudit:
             (body.parameter(f"Energy audit/{entry}") or [usual])[0]
             for entry, usual in (("Largest residual", 0.01),
                                  ("Largest hourglass part", 0.1)))
-        names = [name for name in body.summary.get("checks") or {}
-                 if name.startswith(HOURGLASS + "_")]
         self.tissues = {
             name[len(HOURGLASS) + 1:].replace("_", " "):
-            body.found("checks", name) or 0. for name in names}
+            body.found("checks", name) or 0.
+            for name in body.summary.get("checks") or {}
+            if name.startswith(HOURGLASS + "_")}
         # That of a body is the largest of its tissues.
         of_all = body.found("checks", HOURGLASS)
         self.hourglass = None if of_all is None else max(
@@ -36,13 +36,6 @@ class EnergyAudit:
         all places."""
         return page.percent(abs(self.residual), 3)
 
-    def high_tissues(self):
-        """Tissues beyond the limit, in words; "" for none."""
-        return page.joined(
-            f"{page.percent(part, 3)} in {tissue}" for tissue, part in sorted(
-                self.tissues.items(), key=lambda item: -item[1])
-            if part > self.largest_hourglass)
-
     def reservations(self):
         """Energies beyond their limits, in a sentence; [] if none are."""
         found = []
@@ -55,7 +48,10 @@ class EnergyAudit:
         return [page.joined(found) + "."] if found else []
 
     def _hourglass_words(self):
-        tissues = self.high_tissues()
+        tissues = page.joined(
+            f"{page.percent(part, 3)} in {tissue}" for tissue, part in sorted(
+                self.tissues.items(), key=lambda item: -item[1])
+            if part > self.largest_hourglass)
         return (f"{page.percent(self.hourglass, 3)} of the largest internal "
                 "energy of a tissue was stored in hourglass modes (limit "
                 f"{_limit(self.largest_hourglass)})"
@@ -69,8 +65,8 @@ class EnergyAudit:
         holds = abs(self.residual) <= self.largest_residual \
             and self.hourglass <= self.largest_hourglass
         return page.paragraph(
-            page.tag("span", "The audit of the body's energy holds" if holds
-                     else "The audit of the body's energy does not hold",
+            page.tag("span", "The audit of the body's energy "
+                     + ("holds" if holds else "does not hold"),
                      kind="good" if holds else "bad"),
             f": {self.missing()} of the energy is missing (limit "
             f"{_limit(self.largest_residual)}), and "

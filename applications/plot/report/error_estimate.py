@@ -55,11 +55,10 @@ def of_gauges(fine, coarse, ratio, other_phases=(), other_waves=None):
 
 def of_scene_gauges(scene, other_phases=()):
     """of_gauges() of a scene and its coarser run; {} without one."""
-    if scene.coarser is None:
-        return {}
     ratio = (scene.facts.get("coarser_run") or {}).get("cell_ratio", 2.)
-    return of_gauges(scene.gauge_measures(), scene.coarser.gauge_measures(),
-                     ratio, other_phases, _other_waves(scene))
+    return {} if scene.coarser is None else of_gauges(
+        scene.gauge_measures(), scene.coarser.gauge_measures(), ratio,
+        other_phases, _other_waves(scene))
 
 
 def _other_waves(scene):
@@ -89,11 +88,11 @@ def factor(scene, name):
     """Error over the difference between both runs: 1 / (r^p - 1) with ratio r
     of the sizes and order p, and the sizes that differ."""
     ratios = scene.facts.get("coarser_run") or {}
-    cells = ratios.get("cell_ratio", 2.)
-    if name.startswith(("ear_", "chest_", "lung_")):
-        return 1. / (cells ** ORDER - 1.), "cells"
-    ratio = min(cells, ratios.get("element_ratio") or cells)
-    return 1. / (ratio ** ORDER - 1.), "cells and elements"
+    ratio, causes = ratios.get("cell_ratio", 2.), "cells"
+    if not name.startswith(("ear_", "chest_", "lung_")):
+        ratio = min(ratio, ratios.get("element_ratio") or ratio)
+        causes = "cells and elements"
+    return 1. / (ratio ** ORDER - 1.), causes
 
 
 def of(scene, name, value, coarser):
@@ -114,12 +113,9 @@ def of_area(scene, area, difference, most):
 
 def of_result(scene, name):
     """Relative error of a result of the blast, None if unknown."""
-    if scene.coarser is None:
-        return None
-    values = [run.blast.found("results", name)
+    values = [run and run.blast.found("results", name)
               for run in (scene.coarser, scene)]
-    return max(LEAST, factor(scene, "lung_")[0]
-               * abs(values[0] / values[1] - 1.)) if all(values) else None
+    return of(scene, "lung_", *values[::-1])[0] if all(values) else None
 
 
 def of_skin(scene, name):
@@ -128,8 +124,7 @@ def of_skin(scene, name):
     values = [None if known is None or not len(known.areas) else
               known.largest(name) for known in (
                   scene.coarser and scene.coarser.loads(), scene.loads())]
-    return (*values, max(LEAST, factor(scene, "lung_")[0]
-                         * abs(values[0] / values[1] - 1.))
+    return (*values, of(scene, "lung_", *values[::-1])[0]
             if all(values) else None)
 
 
@@ -165,14 +160,11 @@ def section(scene, judged):
         return page.paragraph(
             "The numerical error of this scene is unknown: it has no finished "
             "coarser run (Scene/Error estimate).")
-    has_errors = any(entry.error is not None for entry in judged)
-    rows = [] if has_errors and not scene.asks_for_loads() else \
-        list(_rows_of_skin(scene))
-    for entry in judged:
-        if entry.error is None and entry.coarser is None:
-            continue
-        rows.append((entry.title, entry.shown_coarser(), entry.shown(),
-                     entry.shown_error() or "unknown"))
+    rows = list(_rows_of_skin(scene)) if scene.asks_for_loads() or all(
+        entry.error is None for entry in judged) else []
+    rows += [(entry.title, entry.shown_coarser(), entry.shown(),
+              entry.shown_error() or "unknown") for entry in judged
+             if (entry.error, entry.coarser) != (None, None)]
     coarser = "The coarser run has cells of twice the size" + (
         ", and no body: your own hexahedra have no coarser mesh, and errors of "
         "what happens in the body are unknown" if scene.has_own_mesh() else

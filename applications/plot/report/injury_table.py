@@ -5,7 +5,7 @@
 import math
 
 from plot.analysis import person
-from plot.readers import files, stage
+from plot.readers import stage
 from plot.report import (error_estimate, injury_thresholds, least_phases,
                          load_impulses, page)
 from plot.report.injury_thresholds import Known
@@ -34,6 +34,7 @@ FARTHER, FARTHER_TRUNK = 1.15, 1.05
 ASKEW = 25.  # degrees from the nearest gauge's axis to the charge
 # Told with the checks of the run.
 NO_INJURY = ("injury_pressure_roughness",)
+UNKNOWN = stage.Measure("", None, "")
 PRESSURES = ("injury_intracranial_pressure_peak",
              "injury_intracranial_pressure_lowest")
 # Measures of the motion of the head as a whole.
@@ -70,18 +71,14 @@ def judge(scene):
     judged = []
     for name, (measure, known) in _measures_of(
             scene, scene, side, lungs, all_known).items():
-        value, other = measure.value, coarser.get(name)
-        is_coarser_cut = other is not None and other[0].is_cut
-        other = None if other is None else other[0].value
+        value, (other, _) = measure.value, coarser.get(name, (UNKNOWN, None))
         # A lower limit is no value to compare with.
-        error, causes = (None, "") if other is None or (
-            is_coarser_cut and not measure.is_cut) else error_estimate.of(
-                scene, name, value, other)
-        curve, of = "", None
-        least_part = 1.
+        error, causes = (None, "") if other.value is None or (
+            other.is_cut and not measure.is_cut) else error_estimate.of(
+                scene, name, value, other.value)
+        curve, of, least_part = "", None, 1.
         if name.startswith("ear_rupture_"):
-            place = name[len("ear_rupture_"):]
-            curve = "eardrum_rupture"
+            place, curve = name[len("ear_rupture_"):], "eardrum_rupture"
             of = scene.gauge_measures().get(place, {}).get("peak")
             error = of_gauges.get(place, {}).get("peak")
         elif name == "lung_lethality":
@@ -103,8 +100,8 @@ def judge(scene):
                               if name in OF_THE_MOTION else
                               load_impulses.difference(scene))
         judged.append(Judged(name, value, measure.unit, known, error, causes,
-                             other, curve if of is not None else "", of,
-                             measure.is_cut, least_part, is_coarser_cut))
+                             other.value, curve if of is not None else "", of,
+                             measure.is_cut, least_part, other.is_cut))
     _share_errors(judged)
     ask_tables(scene, judged)
     return judged
@@ -114,8 +111,7 @@ def ask_tables(scene, judged):
     """Gives eardrums and lungs what the tables have at their distance, where no
     bounds of their kind reach that."""
     ears = [entry for entry in judged if entry.name.startswith("ear_rupture_")]
-    answers = [(ears, ears_of_tables(scene, ears), at_distance(
-        scene, "ears"))] if ears else []
+    answers = [(ears, ears_of_tables(scene, ears), at_distance(scene, "ears"))]
     load = "lung_exposure_air" if lungs_by(scene) == "probe" else \
         SKIN_NAMES["lung_exposure", loaded_side(scene)]
     for name, key in (("lung_lethality",) * 2, ("lung_exposure", load)):
@@ -136,17 +132,13 @@ def ask_tables(scene, judged):
             entry.tables, entry.tables_place = known, place
 
 
-# Whose distance from the charge the tables are asked for.
-PLACES_OF_TABLES = {"ears": "nearer ear", "trunk": "trunk"}
-
-
 def at_distance(scene, part):
     """Where the tables are asked for the "ears" or the "trunk", as "at the nearer
     ear's 2.13 m"; "" where that is at the nearest skin."""
-    there = (scene.facts.get("tables") or {}).get(part) or {}
-    distance = files.as_number(there.get("distance"))
+    distance = ((scene.facts.get("tables") or {}).get(part) or {}).get("distance")
+    name = "nearer ear" if part == "ears" else part
     return "" if distance is None else \
-        f"at the {PLACES_OF_TABLES[part]}'s {page.quantity(distance, 'm')}"
+        f"at the {name}'s {page.quantity(distance, 'm')}"
 
 
 def at_trunk(scene):
@@ -158,11 +150,10 @@ def ears_of_tables(scene, ears):
     """Values of the tables on eardrums in the open and before a wall, at the
     distance of the nearer ear; None each where that is unknown."""
     known = scene.table_answer("eardrum_rupture", "ears")
-    if None in known:  # as of a scene before 0.2.0
-        places = [entry.name.removeprefix("ear_rupture_") for entry in ears]
-        known = (None, None) if are_far(scene, places) \
-            else scene.table_answer("eardrum_rupture")
-    return known
+    places = [entry.name.removeprefix("ear_rupture_") for entry in ears]
+    # As of a scene before 0.2.0.
+    return scene.table_answer("eardrum_rupture") \
+        if None in known and not are_far(scene, places) else known
 
 
 def _at_least(error, least):
@@ -190,9 +181,8 @@ def _share_errors(judged):
 def loaded_side(scene):
     """The side with the largest exposure of the lung."""
     injury = scene.gauge_injury()
-    found = [side for side in (*SIDES, ARMS.get(person.side_to_charge(scene)))
-             if ("lung_exposure", side) in injury]
-    return max(found, default=SIDES[0],
+    return max((side for side in (*SIDES, ARMS.get(person.side_to_charge(scene)))
+                if ("lung_exposure", side) in injury), default=SIDES[0],
                key=lambda side: injury["lung_exposure", side].value)
 
 
@@ -239,12 +229,11 @@ def off_the_gauges(scene):
 
 def why_by_the_skin(scene):
     """Why the load on the skin tells of lungs, a clause."""
-    reasons = [] if has_probe_at_body(scene) else [
-        "no probe beside the body has the wave in the open"]
-    if is_trunk_far(scene):
-        reasons.append("chest and lungs are farther from the charge than the "
-                       "nearest skin")
-    return page.joined(reasons)
+    return page.joined(filter(None, (
+        "" if has_probe_at_body(scene) else
+        "no probe beside the body has the wave in the open",
+        is_trunk_far(scene) and "chest and lungs are farther from the charge "
+        "than the nearest skin")))
 
 
 def is_trunk_far(scene):
@@ -258,9 +247,9 @@ def are_far(scene, names, farther=FARTHER):
     nearest skin."""
     known, distance = scene.loads(), scene.fact("distance")
     places = known.places() if known is not None and distance else {}
-    apart = [math.dist(scene.charge_place(), places[name])
-             for name in names if name in places]
-    return bool(apart) and min(apart) > farther * distance
+    return bool(places.keys() & set(names)) and all(
+        math.dist(scene.charge_place(), places[name]) > farther * distance
+        for name in names if name in places)
 
 
 def of_file(name, measure, all_known):
@@ -273,29 +262,23 @@ def of_file(name, measure, all_known):
 def _measures_of(scene, run, side, lungs, all_known):
     """Each Measure and what is known of it, by name; @p run: the Scene or its
     coarser Run, @p lungs: see lungs_by()."""
-    found = {}
-
-    def add(name, measure, known):
-        found[name] = measure, known
-
-    _add_skin(run, side, all_known, add)
+    found = _of_skin(run, side, all_known)
     load = run.gauge_injury().get(("lung_exposure", side))
     if lungs == "skin" and load is not None:
-        add("lung_lethality", stage.Measure(
+        found["lung_lethality"] = stage.Measure(
             "lung_lethality", injury_thresholds.probability(
-                "lung_lethality", load.value), load.unit, is_cut=load.is_cut),
-            all_known["lung_lethality"]._replace(
+                "lung_lethality", load.value), load.unit,
+            is_cut=load.is_cut), all_known["lung_lethality"]._replace(
                 limits="of the reflected load on the skin of the trunk: "
-                + why_by_the_skin(scene) + "; for 24 h without treatment"))
+                + why_by_the_skin(scene) + "; for 24 h without treatment")
     if lungs == "probe":
         for (measure, place), one in run.air_injury().items():
             name = AIR_NAMES.get(measure)
             if place == least_phases.PROBE and name is not None:
-                add(name, one, all_known[name])
-    for name, measure in run.measures().items():
-        if name in NO_INJURY or name in injury_thresholds.OF_CURVES:
-            continue
-        add(name, measure, of_file(name, measure, all_known))
+                found[name] = one, all_known[name]
+    found.update((name, (measure, of_file(name, measure, all_known)))
+                 for name, measure in run.measures().items()
+                 if name not in (*NO_INJURY, *injury_thresholds.OF_CURVES))
     if "lung_exposure_air" in found:
         # The thresholds are those of the load in the open, which is known.
         for name, (measure, known) in found.items():
@@ -305,31 +288,27 @@ def _measures_of(scene, run, side, lungs, all_known):
     return found
 
 
-def _add_skin(run, side, all_known, add):
-    """Measures of the recorded loads alone, eardrums first, as in the table;
-    of chest and back those of a side, and their mean."""
-    gauges = run.gauge_measures()
-    for (measure, place), found in sorted(
-            run.gauge_injury().items(),
-            key=lambda item: item[0][0] != "eardrum_rupture"):
+def _of_skin(run, side, all_known):
+    """Those of the recorded loads alone, eardrums first, as in the table; of
+    chest and back those of a side, and their mean."""
+    gauges, ears, others = run.gauge_measures(), {}, {}
+    for (measure, place), found in run.gauge_injury().items():
         name = SKIN_NAMES.get((measure, place))
         if measure == "eardrum_rupture":
             known = all_known["ear_rupture"]
             peak = gauges.get(place, {}).get("peak")
-            add("ear_rupture_" + place, found, known._replace(
+            ears[f"ear_rupture_{place}"] = found, known._replace(
                 title=known.title.replace("an eardrum", f"the {place}drum"),
                 limits=known.limits if peak is None else
-                f"peak {page.quantity(peak, 'Pa')}; {known.limits}"))
+                f"peak {page.quantity(peak, 'Pa')}; {known.limits}")
         elif name is not None and side and place in (side, "trunk"):
-            add(name, found, all_known[name])
+            others[name] = found, all_known[name]
+    return ears | others
 
 
 def find(judged, name):
     """The measure of that name, or None."""
-    for entry in judged:
-        if entry.name == name:
-            return entry
-    return None
+    return next((entry for entry in judged if entry.name == name), None)
 
 
 def table(scene, judged):
@@ -341,9 +320,8 @@ def table(scene, judged):
         group = [entry for entry in left if entry.name.startswith(beginnings)]
         left = [entry for entry in left if entry not in group]
         if group:
-            parts.append(page.tag("h3", title))
-            parts.append(table_of(group))
-    parts.append(page.paragraph(
+            parts += [page.tag("h3", title), table_of(group)]
+    return parts + [page.paragraph(
         "Errors are relative, or bounds of what lies between 0 and 100\u00a0%, and "
         "cover the numerics alone. They are "
         + ("unknown without a coarser run. " if scene.coarser is None else
@@ -358,27 +336,24 @@ def table(scene, judged):
         + (" AIS: abbreviated injury scale, 1 (minor) to 6 (untreatable)."
            if any("AIS" in meaning for entry in judged
                   for _, meaning in entry.thresholds) else ""),
-        kind="note"))
-    return [part for part in parts if part]
+        kind="note")]
 
 
 def _nothing_judged(scene):
     """Why the table is empty."""
-    history = scene.biomechanics.table("history.csv")
-    if scene.has_no_gauges() and history is not None and not any(
-            f"internal_energy_{tissue}" in history
-            for tissue in ("brain", "lung")):
-        return page.paragraph(
-            "There is no measure of injury: this body has neither a brain nor "
-            "a chest.", kind="note")
-    if scene.asks_for_loads() and scene.has_no_gauges():
-        return page.paragraph(
-            "There is no measure of injury: the question is loads, and no gauge "
-            "stands at chest or ears.", kind="note")
-    wanted = "injury.csv of biomechanics"
     if not scene.has_no_gauges():
-        wanted += " and gauge_injury.csv of the blast"
-    return page.missing(wanted)
+        return page.missing("injury.csv of biomechanics and gauge_injury.csv of "
+                            "the blast")
+    history = scene.biomechanics.table("history.csv")
+    reason = "this body has neither a brain nor a chest" \
+        if history is not None and not any(
+            f"internal_energy_{tissue}" in history
+            for tissue in ("brain", "lung")) else \
+        "the question is loads, and no gauge stands at chest or ears" \
+        if scene.asks_for_loads() else ""
+    return page.paragraph(f"There is no measure of injury: {reason}.",
+                          kind="note") if reason else page.missing(
+                              "injury.csv of biomechanics")
 
 
 def table_of(group):
@@ -394,19 +369,17 @@ def table_of(group):
 
 
 def _row(entry):
-    lines = [page.escape(f"{entry.shown_limit(limit)}: {meaning}")
-             for limit, meaning in entry.thresholds]
-    lines.append(page.tag("small", entry.source))
-    value = [page.tag("b", entry.shown())]
-    if entry.error is None:
-        value.append(page.tag("small", "error unknown" + (
-            "" if entry.coarser is None else
-            f" ({entry.shown_coarser()} in the coarser run)")))
-    else:
-        value += [page.escape(entry.shown_error()),
-                  page.tag("small", f"due to {entry.error_of}")]
-    return (entry.title, page.Markup("<br>".join(value)),
-            page.Markup("<br>".join(lines)), _verdict(entry), entry.limits)
+    line = page.Markup("<br>")
+    error = [page.tag("small", "error unknown" + (
+        "" if entry.coarser is None else
+        f" ({entry.shown_coarser()} in the coarser run)"))] \
+        if entry.error is None else [
+            entry.shown_error(), page.tag("small", f"due to {entry.error_of}")]
+    return (entry.title, line.join([page.tag("b", entry.shown()), *error]),
+            line.join([*(f"{entry.shown_limit(limit)}: {meaning}"
+                         for limit, meaning in entry.thresholds),
+                       page.tag("small", entry.source)]),
+            _verdict(entry), entry.limits)
 
 
 def _data_row(entry):
@@ -455,7 +428,8 @@ def severity(entry):
 
 def _chances(entry):
     """Probabilities in words, with their interval."""
+    shown = page.least_chance if entry.is_cut else page.chance
     for event, value, bounds in entry.chances():
-        yield f"{event}: {entry.shown_chance(value)}" + (
+        yield f"{event}: {shown(value)}" + (
             f" ({page.interval(*bounds)})" if bounds and not entry.is_cut
             else "")

@@ -6,20 +6,18 @@ may have thresholds of the user's own in place of the published ones."""
 
 import json
 import math
-import os
+import pathlib
 import re
 from typing import NamedTuple
 
 from plot.readers import files
 
 SEA_LEVEL = 101325.  # Pa
-HERE = os.path.dirname(os.path.abspath(__file__))
+HERE = pathlib.Path(__file__).absolute().parent
+NAME = "injury_criteria.json"
 # Next to this file where Contrecoup is installed, next to the code elsewhere.
-DATA = [path for path in (
-    os.path.join(HERE, "injury_criteria.json"),
-    os.path.join(os.path.dirname(os.path.dirname(os.path.dirname(HERE))),
-                 "source", "numerics", "injury", "injury_criteria.json"))
-        if os.path.exists(path)]
+DATA = HERE / NAME if (HERE / NAME).exists() else \
+    HERE.parents[2] / "source" / "numerics" / "injury" / NAME
 
 
 class Known(NamedTuple):
@@ -36,11 +34,6 @@ class Known(NamedTuple):
     is_own: bool = False  # thresholds of the user
 
 
-def _read():
-    with open(DATA[0], encoding="utf-8") as file:
-        return json.load(file)
-
-
 def _thresholds(measure):
     """Limits of increasing severity with their meanings. For levels that
     overlap, a limit is where one begins or ends, and its meaning names all
@@ -55,7 +48,7 @@ def _thresholds(measure):
     return [(edge, meaning) for edge, meaning in found if meaning]
 
 
-_KNOWN = _read()
+_KNOWN = json.loads(DATA.read_text(encoding="utf-8"))
 # By the names of biomechanics, and of the report for the loads.
 KNOWN = {name: Known(measure["title"], _thresholds(measure),
                      _KNOWN["sources"][measure["source"]], measure["limits"],
@@ -136,6 +129,5 @@ def median_lethal_load(phase, mass, ambient):
 
 def title(name):
     """Name of a measure in words."""
-    if name in KNOWN:
-        return KNOWN[name][0]
-    return name.replace("injury_", "").replace("_", " ")
+    return KNOWN[name].title if name in KNOWN else \
+        name.replace("injury_", "").replace("_", " ")

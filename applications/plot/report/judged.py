@@ -45,7 +45,8 @@ class Judged:
         if self.error is None:
             return None
         value = self.value if self.of is None else self.of
-        spread = abs(value) * self.error if value else self.coarser_spread()
+        # The value of the coarser run lies farther off than zero.
+        spread = abs(value) * self.error if value else abs(self.coarser or 0.)
         ends = [self.least_part * (value - spread), value + spread]
         if curve or self.curve:
             return tuple(injury_thresholds.probability(curve or self.curve,
@@ -64,11 +65,6 @@ class Judged:
             return (low, None) if self.value >= 0. else (None, high)
         return low, high
 
-    def coarser_spread(self):
-        """Absolute error of a value of zero: the value of the coarser run, which
-        lies farther off."""
-        return abs(self.coarser or 0.)
-
     def chances(self):
         """Events by this measure, their probabilities and the bounds of
         these."""
@@ -80,7 +76,8 @@ class Judged:
         """The value of this run, or another one, which may be a lower limit, in
         words."""
         is_limit = is_limit or (value is None and self.is_cut)
-        limits = () if value is not None else self.limits_of_verdicts()
+        limits = () if value is not None else [
+            limit for limit, _ in self.thresholds]
         value = self.value if value is None else value
         if self.is_fraction:
             return page.least_chance(value) if is_limit \
@@ -88,22 +85,15 @@ class Judged:
         return page.limit(value, is_limit) + page.quantity(
             value, self.unit, page.digits_beside(limits, value, 3))
 
-    def limits_of_verdicts(self):
-        """The thresholds without their meanings."""
-        return [limit for limit, _ in self.thresholds]
-
     def shown_bounds(self):
         """bounds() of a probability or fraction in words."""
-        return page.interval(*self.bounds(), self.limits_of_verdicts())
+        return page.interval(*self.bounds(),
+                             [limit for limit, _ in self.thresholds])
 
     def shown_coarser(self):
         """The value of the coarser run in words, a dash if unknown."""
         return "–" if self.coarser is None else self.shown(
             self.coarser, self.is_coarser_cut)
-
-    def shown_chance(self, value):
-        """A probability that follows from the measure, in words."""
-        return (page.least_chance if self.is_cut else page.chance)(value)
 
     def shown_limit(self, limit):
         """A threshold in words."""

@@ -62,9 +62,8 @@ def of_skin(scene):
     """Times from the arrival to the end that finer cells may give the positive
     phase [s], by the place on the skin where they may."""
     coarser = _at_gauges(scene.coarser)
-    return {name: least for name, least in (
-        (name, _least(scene, wave, coarser.get(name)))
-        for name, wave in _at_gauges(scene).items()) if least is not None}
+    return {name: least for name, wave in _at_gauges(scene).items() if (
+        least := _least(scene, wave, coarser.get(name))) is not None}
 
 
 def of_fewer_waves(scene):
@@ -85,9 +84,8 @@ def at_probe(scene):
 def part_of_load(scene, place):
     """Part of the load on lungs at a place that is left if its positive phase
     ends as early as finer cells may let it; 1 elsewhere."""
-    wave = _at_probe(scene) if place == PROBE else \
-        _at_gauges(scene).get(place)
-    least = at_probe(scene) if place == PROBE else of_skin(scene).get(place)
+    wave, least = (_at_probe(scene), at_probe(scene)) if place == PROBE else (
+        _at_gauges(scene).get(place), of_skin(scene).get(place))
     mass = scene.blast.parameter("Loads/Body mass")
     if least is None or mass is None:
         return 1.

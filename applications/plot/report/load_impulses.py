@@ -49,18 +49,11 @@ def rest(scene):
 def difference_of_motion(scene):
     """difference() of what moves the body as a whole; infinite where nothing
     was left of the recorded pushes."""
-    left = pushes_left(scene)
-    if left is None:
+    if pushes_left(scene) is None:
         return difference(scene)
-    recorded, mapped = left
+    recorded, mapped = pushes_left(scene)
     change = abs(mapped - recorded)
     return change / recorded if recorded else math.inf if change else 0.
-
-
-def largest_correction(scene):
-    """The part by which impulses may differ to be made equal."""
-    return (scene.biomechanics.parameter("Loads/Recorded/Largest correction")
-            or [0.1])[0]
 
 
 def difference(scene):

@@ -8,7 +8,6 @@ that the table rounds."""
 import base64
 import csv
 import html
-import html.parser
 import io
 import math
 import os
@@ -113,9 +112,8 @@ def limit(value, is_lower_limit=True):
 
 def count(value):
     """A whole number, thousands apart."""
-    text = f"{int(value):,}".replace(",", "\u202f")
-    return Rounded(text if abs(value) >= 10000
-                   else text.replace("\u202f", ""), int(value))
+    text = f"{int(value):,}" if abs(value) >= 10000 else f"{int(value)}"
+    return Rounded(text.replace(",", "\u202f"), int(value))
 
 
 def percent(part, digits=2):
@@ -212,9 +210,8 @@ def milliseconds(seconds, digits=3):
 
 def point(coordinates, digits=4):
     """Coordinates as a page shows them, without brackets and unit."""
-    words = [f"{x:.{digits}g}".replace("-", "−") for x in coordinates]
-    return Rounded(", ".join(words), "; ".join(
-        repr(float(x)) for x in coordinates))
+    words = ", ".join(f"{x:.{digits}g}" for x in coordinates).replace("-", "−")
+    return Rounded(words, "; ".join(repr(float(x)) for x in coordinates))
 
 
 def table(header, rows, caption=None, numbers=(), widths=(), data=None):
@@ -260,8 +257,12 @@ def _plain(cell):
     if isinstance(cell, Rounded):
         return str(cell.value)
     if isinstance(cell, Markup):
-        cell = html.unescape(re.sub("<[^>]*>", "", str(cell).replace("<br>", "; ")))
+        cell = _text_of(str(cell).replace("<br>", "; "))
     return "" if cell == "–" else str(cell).replace("\u00a0", " ")
+
+
+def _text_of(markup):
+    return html.unescape(re.sub("<[^>]*>", "", markup))
 
 
 def folded_table(title, content):
@@ -288,20 +289,13 @@ def figure(picture, description, caption, kind="png"):
     are best as "svg", pictures with many colours as "png"."""
     content = picture if isinstance(picture, bytes) else render(picture, kind)
     form = "image/svg+xml" if kind == "svg" else "image/png"
-    width = _width_of(content)
+    # At which points of a PNG's fonts are points [px]; others have their own.
+    width = 96. * struct.unpack(">I", content[16:20])[0] / DOTS_PER_INCH \
+        if content.startswith(b"\x89PNG") else 0.
     return filled("figure.html.j2", form=form, description=description,
                   content=base64.b64encode(content).decode("ascii"),
                   width=width, caption=caption,
                   is_large=not 0. < width <= NARROW)
-
-
-def _width_of(content):
-    """Width of a PNG picture at which points of its fonts are points [px]; 0
-    of others, which have their own."""
-    if not content.startswith(b"\x89PNG"):
-        return 0.
-    dots, = struct.unpack(">I", content[16:20])
-    return 96. * dots / DOTS_PER_INCH
 
 
 def render(picture, kind):
@@ -338,16 +332,12 @@ class Page:
 
     def figures(self):
         """Section, description and caption of each figure, in order."""
-        found = []
-        for name, parts in [("", self.lead), *self.sections]:
-            for description, caption in re.findall(
+        return [{"section": name, "description": _text_of(description),
+                 "caption": _text_of(caption)}
+                for name, parts in [("", self.lead), *self.sections]
+                for description, caption in re.findall(
                     'alt="([^"]*)".*?<figcaption>(.*?)</figcaption>',
-                    "".join(map(str, parts)), re.S):
-                found.append({"section": name, **{
-                    key: html.unescape(re.sub("<[^>]*>", "", text)) for
-                    key, text in (("description", description),
-                                  ("caption", caption))}})
-        return found
+                    "".join(map(str, parts)), re.S)]
 
     def render(self):
         sections = [(name, _name_files(name, Markup().join(parts)))
@@ -367,38 +357,6 @@ def _name_files(section, content):
                                                              parts[1:])))
 
 
-class _Answer(html.parser.HTMLParser):
-    """The words of the paragraphs that a page opens with as its answer."""
-
-    def __init__(self):
-        super().__init__()
-        self.depth, self.in_paragraph, self.words = 0, False, []
-
-    def handle_starttag(self, tag, attrs):
-        classes = (dict(attrs).get("class") or "").split()
-        if tag == "div" and (self.depth or "answer" in classes):
-            self.depth += 1
-        self.in_paragraph = bool(self.depth) and (tag == "p"
-                                                  or self.in_paragraph)
-
-    def handle_endtag(self, tag):
-        if tag == "div" and self.depth:
-            self.depth -= 1
-        if tag == "p":
-            self.in_paragraph = False
-
-    def handle_data(self, data):
-        if self.in_paragraph:
-            self.words += data.split()
-
-
-def answer_of(text):
-    """The answer of a page, without its markup."""
-    parser = _Answer()
-    parser.feed(text)
-    return " ".join(parser.words)
-
-
 def write_page(folder, text):
     """Writes report.html; the old one stays until the new one is whole.
     Prints its path."""
@@ -412,7 +370,9 @@ def write_page(folder, text):
 def print_answer(text):
     """Prints the answer of a page, indented by two spaces: as many whole
     sentences as the screen has lines for."""
-    sentences = re.split(r"(?<=\.) (?=[A-Z0-9])", answer_of(text))
+    answer = re.search('<div class="answer">(.*?)</div>', text, re.S)[1]
+    sentences = re.split(r"(?<=\.) (?=[A-Z0-9])",
+                         Markup(answer.replace("</p>", " ")).striptags())
     while len(lines := textwrap.wrap(" ".join(sentences), 78)) \
             > LONGEST_ANSWER:
         sentences.pop()

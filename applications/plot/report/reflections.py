@@ -23,8 +23,7 @@ def _planes(scene, time=None):
     """Names of the planes among them."""
     if "reflections" not in scene.facts:  # as of a scene before 0.2.0
         return [] if is_surface_burst(scene) else ["ground"]
-    arrival, duration = (scene.blast.found("results", "probe_1_" + name)
-                         for name in ("arrival", "duration"))
+    arrival, duration = _at_probe(scene, "arrival", "duration")
 
     def comes(row):
         delays = [files.as_number(row.get(key))
@@ -37,10 +36,21 @@ def _planes(scene, time=None):
             if not row.get("merges") and comes(row)]
 
 
+def _at_probe(scene, *names):
+    """Results at the first probe, None each where they are unknown."""
+    return [scene.blast.found("results", f"probe_1_{name}") for name in names]
+
+
 def _rows(scene, place):
     """Reflections at a place, of scene.json."""
     return [row for row in scene.list_of("reflections")
             if row.get("place") == place]
+
+
+def _merged(scene):
+    """Those at the first probe that have merged with the incident wave."""
+    return [row for row in _rows(scene, least_phases.PROBE)
+            if row.get("merges")]
 
 
 def is_surface_burst(scene):
@@ -81,8 +91,7 @@ def is_cut_off(scene, row):
 def note(scene, probe="the probe"):
     """Effects of reflections and of the end of the run on the wave at the
     first probe, as sentences."""
-    merged = [row for row in _rows(scene, least_phases.PROBE)
-              if row.get("merges")]
+    merged = _merged(scene)
     return (
         (f"The wave at {probe} may have merged with its reflection by the "
          + page.joined(str(row.get("by")) for row in merged)
@@ -100,8 +109,7 @@ def note(scene, probe="the probe"):
 def beside_tables(scene):
     """What merged reflections add to the wave of the tables, a clause; "" where
     none has merged."""
-    merged = [row for row in _rows(scene, least_phases.PROBE)
-              if row.get("merges")]
+    merged = _merged(scene)
     return "" if not merged else (
         " without the merged reflection by the "
         + page.joined(str(row.get("by")) for row in merged) + ", which adds "
@@ -142,13 +150,10 @@ def _has_second_wave(scene):
 def _later_wave(scene):
     """Peak [Pa] and its time [s] of a later wave within the positive phase at
     the first probe, as the run recorded it; None without."""
-    peak, time, arrival, duration = (
-        scene.blast.found("results", "probe_1_" + name) for name in (
-            "later_peak_overpressure", "later_peak_time", "arrival",
-            "duration"))
-    is_within = None not in (peak, time, arrival, duration) \
-        and time <= arrival + duration
-    return (peak, time) if is_within else None
+    peak, time, arrival, duration = _at_probe(
+        scene, "later_peak_overpressure", "later_peak_time", "arrival", "duration")
+    return (peak, time) if None not in (peak, time, arrival, duration) \
+        and time <= arrival + duration else None
 
 
 def _largest_wave(scene):
@@ -196,8 +201,7 @@ def _cause_of_second_wave(scene):
 def _place_of_second_shock(scene):
     """Where on the skin, as far from the charge, the second wave at the first
     probe shows that no reflection is in it; None where one may be."""
-    merged = any(row.get("merges") for row in _rows(scene, least_phases.PROBE))
-    if merged or _planes(scene) or "reflections" not in scene.facts:
+    if _merged(scene) or _planes(scene) or "reflections" not in scene.facts:
         return None
     return least_phases.place_of_same_wave(scene)
 
@@ -238,15 +242,15 @@ def open_sides_disturb(scene):
 def note_on_maps(scene):
     """Where and when open sides send a wave to gauges first, as a sentence; ""
     if they do not before the end."""
-    for row in _of_open_sides(scene):
-        place, found = _place_of(row), row.get("found")
-        return (" Open sides of the domain send a wave back to gauges before "
-                "the end"
-                + (f", first to the one at {place} m" if place else "")
-                + (f" at {found}" if found != "unknown" else
-                   f" at an estimated {row.get('estimate')}")
-                + ": figures of the maps may have it in them.")
-    return ""
+    row = next(iter(_of_open_sides(scene)), None)
+    if row is None:
+        return ""
+    place, found = _place_of(row), row.get("found")
+    return (" Open sides of the domain send a wave back to gauges before the end"
+            + (f", first to the one at {place} m" if place else "")
+            + (f" at {found}" if found != "unknown" else
+               f" at an estimated {row.get('estimate')}")
+            + ": figures of the maps may have it in them.")
 
 
 def is_late(scene, arrival, time):

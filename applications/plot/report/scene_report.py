@@ -10,58 +10,45 @@ from plot.report import (accuracy, blast_sections, body_sections, headline,
 def build(scene):
     """The page, and what report.json holds."""
     facts = scene.facts
-    title = str(facts.get("title") or "Report of a blast on a body")
-    parts = page.Page(title, _subtitle(facts))
+    parts = page.Page(
+        str(facts.get("title") or "Report of a blast on a body"),
+        "Contrecoup" + "".join(words.format(facts[key]) for key, words in (
+            ("version", " {}"), ("git_revision", " ({})"),
+            ("question", " · question: {}"), ("accuracy", " · accuracy: {}"))
+                               if facts.get(key)))
     judged = injury_table.judge(scene)
     lead = headline.Lead(scene, judged)
     parts.open_with(lead.answer(), page.tag(
         "div", blast_sections.verdict_figure(scene, lead.verdicts),
         page.tag("div", lead.tables(), lead.doubts()), kind="first"))
-    parts.section("The scene", *scene_sections.section(scene))
-    parts.section("Events over time", *scene_sections.timeline(scene))
     of_blast = unfinished.note(scene, "blast")
     of_body = unfinished.note(scene, "blast", "biomechanics")
-    parts.section("Pressure in the air", *of_blast, *blast_sections.air(scene))
     people = blast_sections.people(scene)
-    if people:
-        parts.section("People in the air", *of_blast, *people)
-    parts.section("Pressure on the skin", *of_blast,
-                  *blast_sections.skin(scene))
-    parts.section("Histories on the skin", *of_blast,
-                  *blast_sections.histories(scene))
     # A part that was not asked for is not missing.
     has_body = scene.biomechanics.exists or facts.get(
         "question") in (None, "injury")
-    if has_body:
-        parts.section("Stress waves in the body", *of_body,
-                      *body_sections.waves(scene))
-        parts.section("Histories in the tissue", *of_body,
-                      *body_sections.histories(scene))
-    parts.section("Injury", *of_body, *injury_table.table(scene, judged))
-    if paper.is_that_scene(scene):
-        parts.section("Comparison with the published simulation",
-                      *paper.section(scene))
-    if has_body:
-        parts.section("Energy of the body", *of_body,
-                      *body_sections.energy(scene))
-    parts.section("Conservation of the gas",
-                  *blast_sections.conservation(scene))
-    parts.section("Assumptions", *accuracy.plan(scene))
-    parts.section("Accuracy", *accuracy.statement(scene, judged))
-    if has_body:
-        parts.section("The body's mesh", *body_sections.mesh(scene))
-    parts.section("Cost", *accuracy.cost(scene))
-    parts.section("How to reproduce", *accuracy.reproduce(scene))
+    for name, content in (
+            ("The scene", scene_sections.section(scene)),
+            ("Events over time", scene_sections.timeline(scene)),
+            ("Pressure in the air", of_blast + blast_sections.air(scene)),
+            ("People in the air", people and of_blast + people),
+            ("Pressure on the skin", of_blast + blast_sections.skin(scene)),
+            ("Histories on the skin", of_blast + blast_sections.histories(scene)),
+            ("Stress waves in the body",
+             has_body and of_body + body_sections.waves(scene)),
+            ("Histories in the tissue",
+             has_body and of_body + body_sections.histories(scene)),
+            ("Injury", of_body + injury_table.table(scene, judged)),
+            ("Comparison with the published simulation",
+             paper.is_that_scene(scene) and paper.section(scene)),
+            ("Energy of the body",
+             has_body and of_body + body_sections.energy(scene)),
+            ("Conservation of the gas", blast_sections.conservation(scene)),
+            ("Assumptions", accuracy.plan(scene)),
+            ("Accuracy", accuracy.statement(scene, judged)),
+            ("The body's mesh", has_body and body_sections.mesh(scene)),
+            ("Cost", accuracy.cost(scene)),
+            ("How to reproduce", accuracy.reproduce(scene))):
+        if content:
+            parts.section(name, *content)
     return parts.render(), summary.of(scene, judged, lead, parts)
-
-
-def _subtitle(facts):
-    parts = ["Contrecoup"]
-    if facts.get("version"):
-        parts[0] += f" {facts['version']}"
-    if facts.get("git_revision"):
-        parts[0] += f" ({facts['git_revision']})"
-    for key, word in (("question", "question"), ("accuracy", "accuracy")):
-        if facts.get(key):
-            parts.append(f"{word}: {facts[key]}")
-    return " · ".join(parts)

@@ -76,8 +76,7 @@ def _thousandths(value, unit):
 def section(scene):
     """Facts and drawing."""
     parts = [facts(scene)]
-    changes = scene.list_of("changes")
-    if changes:
+    if changes := scene.list_of("changes"):
         parts.append(page.table(
             ("entry of the user's own", "value", "otherwise"),
             [(page.tag("code", row.get("entry", "")), row.get("value", ""),

@@ -7,6 +7,7 @@ lines."""
 import json
 import math
 import os
+import re
 import textwrap
 
 from plot.readers import formats
@@ -26,7 +27,10 @@ def of(scene, judged, lead, page):
         "version": facts.get("version", ""),
         "git_revision": facts.get("git_revision", ""), "title": page.title,
         "headline": lead.sentence, "scene": lead.opening,
-        "text": wrapped(lead.lines()),
+        # Lines of a terminal, which breaks at spaces of all kinds; those of one
+        # paragraph after the first indented.
+        "text": [part for line in lead.lines() for part in textwrap.wrap(
+            re.sub("[\u00a0\u202f]", " ", line), WIDTH, subsequent_indent="  ")],
         "verdicts": [_verdict(one) for one in lead.verdicts],
         "measures": [_measure(entry) for entry in judged],
         "tables": [{**ROW, **row} for row in lead.rows],
@@ -36,17 +40,6 @@ def of(scene, judged, lead, page):
         "sources": list(dict.fromkeys(entry.source for entry in judged
                                       if entry.thresholds)),
         "figures": page.figures()}
-
-
-def wrapped(lines):
-    """Lines of a terminal, those of one paragraph after the first indented."""
-    return [part for line in lines for part in textwrap.wrap(
-        plain(line), WIDTH, subsequent_indent="  ")]
-
-
-def plain(text):
-    """A text with spaces that a terminal breaks at."""
-    return text.replace("\u00a0", " ").replace("\u202f", " ")
 
 
 def _number(value):
@@ -59,12 +52,11 @@ def _bounds(bounds):
 
 
 def _verdict(one):
-    told = {"subject": one.subject, "words": str(one), "severity": one.kind}
-    if one.entry is None:
-        return {**told, "measure": None, "value": None, **_bounds(None),
-                "is_certain": one.is_certain()}
-    return {**told, "measure": one.entry.name,
-            "value": _number(one.entry.value), **_bounds(one.entry.sure_bounds()),
+    entry = one.entry
+    return {"subject": one.subject, "words": str(one), "severity": one.kind,
+            "measure": entry and entry.name,
+            "value": entry and _number(entry.value),
+            **_bounds(entry and entry.sure_bounds()),
             "is_certain": one.is_certain()}
 
 

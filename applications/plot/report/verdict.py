@@ -3,6 +3,8 @@
 """The verdict of a report in plain words: whether the person survives, and what
 becomes of eardrums, lungs and brain, with the bounds of the numerics."""
 
+import re
+
 from plot.report import error_estimate, injury_table, page
 
 # Words up to a probability, for the event itself.
@@ -42,10 +44,9 @@ class Verdict:
         """Whether the estimated error leaves all that the words say as it is;
         None if that is unknown."""
         known = [entry.is_certain() for entry in self.entries]
-        if not self.is_complete:
+        if not self.is_complete or not known:
             return None
-        return False if False in known else \
-            None if None in known or not known else True
+        return False if False in known else None if None in known else True
 
     def __str__(self):
         return with_detail(self.words, self.detail)
@@ -114,18 +115,25 @@ def disagrees(scene, judged):
     known = injury_table.lungs_of_tables(scene, entry.name)
     low, high = entry.bounds() or (entry.value, entry.value)
     high = 1. if entry.is_cut else high
-    if None in known or (high >= known[0] and low <= known[1]):
-        return False
-    nearest = min(max(entry.value, known[0]), known[1])
-    return _word(LIFE, entry, entry.value) != _word(LIFE, entry, nearest)
+    return None not in known and (high < known[0] or low > known[1]) and (
+        _word(LIFE, entry, entry.value)
+        != _word(LIFE, entry, min(max(entry.value, known[0]), known[1])))
 
 
 def _life(scene, judged):
     entry = injury_table.find(judged, "lung_lethality")
     if entry is None:
-        return _cut_off(scene)
+        # The run may have less than the positive phase.
+        return _not_judged(scene) if injury_table.lungs_by(scene) == "probe" \
+            and scene.blast.found("results", "probe_1_cut_off") else None
     if entry.is_open:
         return _not_judged(scene)
+    if disagrees(scene, judged):
+        return Verdict("life", "survival is uncertain", "bad",
+                       f"death by lung injury: {entry.shown()} by this run"
+                       f"{_by_the_numerics(entry)}, {_death_by_tables(scene)} "
+                       f"by the tables{_at_trunk(scene)}",
+                       entry)
     words = _word(LIFE, entry, entry.value).strip()
     detail = f"{entry.shown()}{_by_the_numerics(entry)}"
     if entry.is_own:
@@ -133,12 +141,6 @@ def _life(scene, judged):
     else:
         detail = f"death by lung injury: {detail}"
     kind = injury_table.severity(entry)
-    if disagrees(scene, judged):
-        return Verdict("life", "survival is uncertain", "bad",
-                       f"death by lung injury: {entry.shown()} by this run"
-                       f"{_by_the_numerics(entry)}, {_death_by_tables(scene)} "
-                       f"by the tables{_at_trunk(scene)}",
-                       entry)
     wall = injury_table.find(judged, "chest_wall_mean")
     if words == LIFE[0][1] and (
             (entry.error is not None and entry.bounds()[1] >= LIFE[0][0])
@@ -147,28 +149,18 @@ def _life(scene, judged):
     return Verdict("life", words, kind, detail, entry)
 
 
-def _cut_off(scene):
-    """Why nothing is known of life where the run has less than the positive
-    phase; None where that is not the reason."""
-    if injury_table.lungs_by(scene) != "probe" \
-            or not scene.blast.found("results", "probe_1_cut_off"):
-        return None
-    return _not_judged(scene)
-
-
 def _not_judged(scene):
     """The verdict on life where the end of the run cuts the load off."""
     known = _death_by_tables(scene)
     return Verdict("life", UNJUDGED, "none",
                    "the run ends before the positive phase does"
-                   + (known and f"; death by lung injury by the tables"
-                   f"{_at_trunk(scene)}: {known}"))
+                   + (known and "; death by lung injury by the tables"
+                      f"{_at_trunk(scene)}: {known}"))
 
 
 def _at_trunk(scene):
     """Where the tables are asked for lungs, "" at the nearest skin."""
-    place = injury_table.at_trunk(scene)
-    return f" {place}" if place else ""
+    return f" {injury_table.at_trunk(scene)}".rstrip()
 
 
 def _death_by_tables(scene):
@@ -198,19 +190,20 @@ def _ears(judged):
     words = [_worse_word(entry) for entry in ears]
     whose = "rupture of " if worst.is_own else ""
     sides = [_side(entry) for entry in ears]
-    if len(ears) > 1 and len(set(words)) > 1:
-        parts = [with_detail(
-            f"{whose}{side} eardrum{_singular(word)}",
-            f"{entry.shown()}{by_run}{_by_the_numerics(entry)}{tables}")
-                 for side, word, entry in zip(sides, words, ears)]
-        return Verdict("eardrums", ", ".join(parts), kind, "", worst, ears)
     figures = [entry.shown() + by_run + _by_the_numerics(entry)
                for entry in ears]
-    told = figures[0] if len(set(figures)) == 1 else "; ".join(
-        f"{side} {figure}" for side, figure in zip(sides, figures))
+    if len(set(words)) > 1:
+        return Verdict("eardrums", ", ".join(
+            with_detail(f"{whose}{side} eardrum{_singular(word)}",
+                        figure + tables)
+            for side, word, figure in zip(sides, words, figures)),
+            kind, "", worst, ears)
+    if len(set(figures)) > 1:
+        figures = ["; ".join(f"{side} {figure}" for side, figure
+                             in zip(sides, figures))]
+        tables = tables.replace(",", ";", 1)
     return Verdict("eardrums", f"{whose}eardrums{words[0]}", kind,
-                   told + (tables if told == figures[0] else
-                           tables.replace(",", ";", 1)), worst, ears)
+                   figures[0] + tables, worst, ears)
 
 
 def _side(ear):
@@ -227,17 +220,15 @@ def _worse_word(entry):
 
 def _singular(word):
     """" stay intact" of one eardrum: " stays intact"."""
-    verb = "stay" if word.startswith(" stay") else "rupture"
     return word if word.startswith((" may", " not", " above", " below")) \
-        else word.replace(verb, verb + "s")
+        else re.sub("stay|rupture", r"\g<0>s", word, 1)
 
 
 def _levels(entry, values):
     """Levels of lung injury that velocities have, from the first level of the
     smallest to the last one of the largest: "trace to moderate"."""
     meanings = [entry.meaning(value) or NO_LEVEL for value in values]
-    words = [NO_LEVEL if meaning == NO_LEVEL else
-             SEVERE if "lethality" in meaning else
+    words = [SEVERE if "lethality" in meaning else
              meaning.split(" or ")[end].split(" to ")[end]
              for meaning, end in zip(meanings, (0, -1))]
     return " to ".join(dict.fromkeys(words))
@@ -365,16 +356,15 @@ def _brain(judged):
     if not above:
         beyond = page.joined(entry.short_title() for entry in measures
                              if entry.exceeded())
-        details = [f"{UNSURE}: " + page.joined(
-            entry.short_title() for entry in unsure)] if unsure else []
-        if cut:
-            details.append(f"{page.joined(cut)} not judged, as {CUT}")
+        details = (unsure and f"{UNSURE}: " + page.joined(
+            entry.short_title() for entry in unsure),
+                   cut and f"{page.joined(cut)} not judged, as {CUT}")
         return Verdict("brain", "brain: below all thresholds"
                        + (" so far" if cut else "")
                        + (f" but that of an exposure, {beyond}" if beyond
                           else ""),
                        "mid" if beyond else "none" if cut else "good",
-                       "; ".join(details), entries[0], entries)
+                       "; ".join(filter(None, details)), entries[0], entries)
     words = [_reached(entry) for entry in above if entry not in unsure]
     if unsure:
         words.append(page.joined(_reached(entry) for entry in unsure)
