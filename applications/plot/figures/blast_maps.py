@@ -81,14 +81,6 @@ def four_panels(plane):
     return figure, axes
 
 
-def paint(axis, plane, values, unit, norm):
-    """Values of a plane in colours; returns their bar."""
-    image = axis.imshow(values, extent=plane.extent(), norm=norm,
-                        cmap=style.SEQUENTIAL, interpolation="nearest")
-    return style.colour_bar(axis.figure, image, unit, ax=axis, pad=0.02,
-                            fraction=0.05, extend=style.beyond(values, norm))
-
-
 def _draw_panel(axis, plane, arrived):
     values = plane.values if arrived is None else np.where(
         arrived, plane.values, np.nan)
@@ -108,9 +100,13 @@ def _draw_panel(axis, plane, arrived):
         low = max(low, high / 200.)
     if not high > low:
         high = low + 1.
-    bar = paint(axis, plane, values * factor, unit,
-                (LogNorm if spread else Normalize)(low, high))
+    image = axis.imshow(values * factor, extent=plane.extent(),
+                        norm=(LogNorm if spread else Normalize)(low, high),
+                        cmap=style.SEQUENTIAL, interpolation="nearest")
     _draw_contours(axis, plane, values * factor, low, high, spread)
+    bar = style.colour_bar(axis.figure, image, unit, ax=axis, pad=0.02,
+                           fraction=0.05,
+                           extend=style.beyond(values * factor, image.norm))
     if spread:
         style.label_decades(bar.ax.yaxis)
 

@@ -135,7 +135,10 @@ def _draw_panel(axis, plane, known, title, levels):
                        max(high, 2e3) * factor)
     else:
         norm = Normalize(0., max(high, 1e-3) * factor)
-    blast_maps.paint(axis, plane, values * factor, unit, norm)
+    image = axis.imshow(values * factor, extent=plane.extent(), norm=norm,
+                        cmap=style.SEQUENTIAL, interpolation="nearest")
+    style.colour_bar(axis.figure, image, unit, ax=axis, pad=0.02, fraction=0.05,
+                     extend=style.beyond(values * factor, norm))
     _draw_levels(axis, plane, values, levels)
 
 
