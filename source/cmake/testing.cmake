@@ -49,8 +49,7 @@ endif()
 function(contrecoup_setup_test_target target)
   contrecoup_setup_target(${target})
   target_compile_options(${target} PRIVATE
-    $<$<CONFIG:Release>:-O1 -fno-unroll-loops -fno-unroll-all-loops
-      ${CONTRECOUP_LIKE_PRECOMPILED}>)
+    $<$<CONFIG:Release>:-O1 ${CONTRECOUP_LIKE_PRECOMPILED}>)
 endfunction()
 
 # The main function of all unit tests; compiled once.
@@ -284,6 +283,13 @@ ERROR;ORDER;HEIGHT;ANGLE"
     LABELS ${_labels} ${ARG_LABELS}
     COMMAND ${Python3_EXECUTABLE}
       ${PROJECT_SOURCE_DIR}/tests/applications/run_case.py ${kind} ${_options})
+endfunction()
+
+# contrecoup_add_refusal(<name> <file> <message> <entries to set>...): a test of the
+# kind refusal.
+function(contrecoup_add_refusal name file message)
+  contrecoup_add_application_test(${name} refusal FILE ${file}
+    MESSAGE "${message}" SET ${ARGN})
 endfunction()
 
 # Puts the words of one refusal, as a list of JSON, where the following function

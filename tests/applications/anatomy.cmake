@@ -40,23 +40,18 @@ contrecoup_add_application_test(head_mesh bounds
   BOUNDS "connected_components == 1" "cells > 1900")
 set_tests_properties(anatomy_head_mesh PROPERTIES FIXTURES_SETUP head_mesh)
 
-contrecoup_add_application_test(refuses_thin_man refusal
-  FILE anatomy/quickstart.prm SET "Body/Phantom/Mass=45"
-  MESSAGE "body mass index of 14.6")
-contrecoup_add_application_test(refuses_fine_mesh refusal
-  FILE anatomy/quickstart.prm SET "Mesh/Element size=1e-5"
-  MESSAGE "elements of 1e-05 m")
-contrecoup_add_application_test(refuses_coarse_mesh refusal
-  FILE anatomy/quickstart.prm
-  SET "Body/Kind=shape" "Body/Shape/Size=0.001" "Mesh/Element size=0.1"
-  MESSAGE "no element has its centre in the body")
+contrecoup_add_refusal(refuses_thin_man anatomy/quickstart.prm "body mass index of 14.6"
+  "Body/Phantom/Mass=45")
+contrecoup_add_refusal(refuses_fine_mesh anatomy/quickstart.prm "elements of 1e-05 m"
+  "Mesh/Element size=1e-5")
+contrecoup_add_refusal(refuses_coarse_mesh anatomy/quickstart.prm
+  "no element has its centre in the body" "Body/Kind=shape" "Body/Shape/Size=0.001"
+  "Mesh/Element size=0.1")
 contrecoup_add_application_test(refuses_resume refusal
   FILE anatomy/quickstart.prm ARGUMENTS --resume
   MESSAGE "anatomy has no steps to go on with")
-contrecoup_add_application_test(refuses_unknown_tissue refusal
-  FILE anatomy/quickstart.prm
-  SET "Body/Kind=shape" "Body/Shape/Tissues=brian"
-  MESSAGE "did you mean \"brain\"")
+contrecoup_add_refusal(refuses_unknown_tissue anatomy/quickstart.prm
+  "did you mean \"brain\"" "Body/Kind=shape" "Body/Shape/Tissues=brian")
 
 contrecoup_add_application_test(flawed_box bounds,regression
   FILE anatomy/extremes/flawed_box.prm SET "Output/Pictures=false"
@@ -66,20 +61,15 @@ contrecoup_add_application_test(flawed_box bounds,regression
 contrecoup_add_application_test(needle bounds
   FILE anatomy/extremes/needle.prm SET "Output/Pictures=false"
   BOUNDS "cells == 3200" "connected_components == 1")
-contrecoup_add_application_test(refuses_large_holes refusal
-  FILE anatomy/extremes/flawed_box.prm SET "Body/Surface/Largest holes=0.01"
-  MESSAGE "Body/Surface/Largest holes allows 1 %")
-contrecoup_add_application_test(refuses_organs_in_a_box refusal
-  FILE anatomy/extremes/flawed_box.prm SET "Body/Surface/Organs=phantom"
-    "Body/Scale=4"
-  MESSAGE "the surface must be that of one person from the soles to the vertex")
-contrecoup_add_application_test(refuses_unknown_facing refusal
-  FILE anatomy/extremes/flawed_box.prm SET "Body/Surface/Facing=north"
-  MESSAGE "allowed: found, or a number from -360 to 360")
-contrecoup_add_application_test(refuses_missing_surface refusal
-  FILE anatomy/quickstart.prm
-  SET "Body/Kind=surface" "Body/Surface/File=/nowhere/body.stl"
-  MESSAGE "there is no such file")
+contrecoup_add_refusal(refuses_large_holes anatomy/extremes/flawed_box.prm
+  "Body/Surface/Largest holes allows 1 %" "Body/Surface/Largest holes=0.01")
+contrecoup_add_refusal(refuses_organs_in_a_box anatomy/extremes/flawed_box.prm
+  "the surface must be that of one person from the soles to the vertex"
+  "Body/Surface/Organs=phantom" "Body/Scale=4")
+contrecoup_add_refusal(refuses_unknown_facing anatomy/extremes/flawed_box.prm
+  "allowed: found, or a number from -360 to 360" "Body/Surface/Facing=north")
+contrecoup_add_refusal(refuses_missing_surface anatomy/quickstart.prm
+  "there is no such file" "Body/Kind=surface" "Body/Surface/File=/nowhere/body.stl")
 
 # Hexahedra of one's own, in mm.
 set(_two_cubes "Body/Kind=mesh" "Body/Mesh/Unit=mm"
@@ -90,10 +80,9 @@ contrecoup_add_application_test(own_mesh bounds
     "Output/Pictures=false"
   BOUNDS "cells == 2" "facets == 10" "parts == 2" "connected_components == 1"
     "volume > 1.999999e-6" "volume < 2.000001e-6")
-contrecoup_add_application_test(refuses_coarsening_of_own_mesh refusal
-  FILE anatomy/quickstart.prm
-  SET ${_two_cubes} "Body/Mesh/Tissues=1-2: brain" "Mesh/Coarsening levels=1"
-  MESSAGE "Body/Kind = mesh has its own hexahedra")
+contrecoup_add_refusal(refuses_coarsening_of_own_mesh anatomy/quickstart.prm
+  "Body/Kind = mesh has its own hexahedra" ${_two_cubes} "Body/Mesh/Tissues=1-2: brain"
+  "Mesh/Coarsening levels=1")
 
 # Images that Debian's mricron-data ships.
 contrecoup_add_application_test(colin_head bounds
@@ -104,11 +93,9 @@ contrecoup_add_application_test(atlas_brain bounds
   FILE anatomy/showcase/atlas_brain.prm NEEDS ${_images}/ch2.nii.gz
   SET "Output/Pictures=false"
   BOUNDS "parts == 2" "volume > 0.00147" "volume < 0.00149")
-contrecoup_add_application_test(refuses_missing_image refusal
-  FILE anatomy/quickstart.prm
-  SET "Body/Kind=image" "Body/Image/File=/nowhere/a.nii"
-    "Body/Image/Labels=1: brain"
-  MESSAGE "there is no such file")
+contrecoup_add_refusal(refuses_missing_image anatomy/quickstart.prm
+  "there is no such file" "Body/Kind=image" "Body/Image/File=/nowhere/a.nii"
+  "Body/Image/Labels=1: brain")
 
 contrecoup_add_application_test(graded bounds,regression
   FILE anatomy/quickstart.prm

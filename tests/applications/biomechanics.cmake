@@ -241,9 +241,8 @@ contrecoup_add_application_test(no_load bounds
     "Time/End time=1e-5"
   BOUNDS "status == finished" "checks.loaded_facets < 1"
   MESSAGE "WARNING: nothing moves the body, all results will be zero")
-contrecoup_add_application_test(load_on_nothing refusal
-  FILE ${_folder}/plane_wave.prm SET "Loads/Load end/Where=0"
-  MESSAGE "Loads/Load end/Where")
+contrecoup_add_refusal(load_on_nothing ${_folder}/plane_wave.prm "Loads/Load end/Where"
+  "Loads/Load end/Where=0")
 contrecoup_add_application_test(late_load bounds FILE ${_folder}/plane_wave.prm
   SET "Output/Fields=false" "Loads/Load end/Pressure=if(t < 1, 0, 1e6)"
   BOUNDS "status == finished" "checks.loaded_facets > 0"

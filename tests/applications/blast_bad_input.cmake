@@ -2,58 +2,53 @@
 # must name the entry and what is allowed or meant.
 set(_sod blast/verification/sod.prm)
 
-# blast_refuses(<name> <message> <arguments of contrecoup_add_application_test>)
-function(blast_refuses name message)
-  contrecoup_add_application_test(refuses_${name} refusal ${ARGN}
-    MESSAGE "${message}")
-endfunction()
-
-blast_refuses(unknown_entry "did you mean \"Limiter\"" FILE ${_sod}
-  SET "Method/Limitr=mc")
-blast_refuses(unknown_subsection "unknown subsection \"Methode\"" FILE ${_sod}
-  CONTENT "subsection Methode\nset Limiter=mc\nend")
-blast_refuses(unknown_value "did you mean \"minmod\"" FILE ${_sod}
-  SET "Method/Limiter=minmood")
-blast_refuses(negative_density "Left density" FILE ${_sod}
-  SET "Initial state/Riemann/Left density=-1")
-blast_refuses(impossible_cfl "Method/CFL number" FILE ${_sod}
-  SET "Method/CFL number=-1")
-blast_refuses(not_a_number "Method/CFL number" FILE ${_sod}
-  SET "Method/CFL number=nan")
-blast_refuses(negative_end_time "Time/End time" FILE ${_sod}
-  SET "Time/End time=-1")
-blast_refuses(unknown_dimension "Domain/Dimension" FILE ${_sod}
-  SET "Domain/Dimension=4")
-blast_refuses(inconsistent_dimension "Domain/" FILE ${_sod}
-  SET "Domain/Dimension=3")
-blast_refuses(single_precision_1d "Method/Precision = single" FILE ${_sod}
-  SET "Method/Precision=single")
-blast_refuses(single_precision_mapped "Method/Precision = single"
-  FILE blast/verification/mapped_vortex.prm SET "Method/Precision=single")
-blast_refuses(empty_box "Domain/Upper corner" FILE ${_sod}
-  SET "Domain/Upper corner=-1")
-blast_refuses(huge_mesh "of memory" FILE ${_sod}
-  SET "Domain/Coarse leaves=1000000000")
-blast_refuses(huge_octree "of memory" FILE blast/showcase/hot_ball.prm
-  SET "Domain/Initial refinement=9")
-blast_refuses(injury_where_nobody_lives "people live at 45 to 115 kPa"
-  FILE ${_sod} SET "Probes/Injury=true" "Probes/Points=0.5")
-blast_refuses(probe_outside "Probes/Points" FILE ${_sod}
-  SET "Probes/Points=7")
-blast_refuses(missing_reference "Reference" FILE ${_sod}
-  SET "Initial state/Kind=uniform")
-blast_refuses(missing_file "no_such_file.prm" FILE blast/no_such_file.prm)
-blast_refuses(unfinished_file "subsection" FILE ${_sod}
-  CONTENT "subsection Method\nset Limiter = mc")
-blast_refuses(malformed_override "Section/Entry=value" FILE ${_sod}
-  SET "Method")
-blast_refuses(unknown_option "did you mean \"--output\"" FILE ${_sod}
-  ARGUMENTS --outptu x)
-blast_refuses(unwritable_output "output folder" FILE ${_sod}
-  OUTPUT "@FOLDER@/a_file/run")
-blast_refuses(missing_mesh_file "there is no such file"
-  FILE blast/extremes/rest_100000_steps.prm SET "Domain/Mesh=file"
-  "Domain/Geometry=plane" "Domain/Mesh file=no_such.msh")
+contrecoup_add_refusal(refuses_unknown_entry ${_sod} "did you mean \"Limiter\""
+  "Method/Limitr=mc")
+contrecoup_add_application_test(refuses_unknown_subsection refusal FILE ${_sod} CONTENT
+  "subsection Methode\nset Limiter=mc\nend" MESSAGE "unknown subsection \"Methode\"")
+contrecoup_add_refusal(refuses_unknown_value ${_sod} "did you mean \"minmod\""
+  "Method/Limiter=minmood")
+contrecoup_add_refusal(refuses_negative_density ${_sod} "Left density"
+  "Initial state/Riemann/Left density=-1")
+contrecoup_add_refusal(refuses_impossible_cfl ${_sod} "Method/CFL number"
+  "Method/CFL number=-1")
+contrecoup_add_refusal(refuses_not_a_number ${_sod} "Method/CFL number"
+  "Method/CFL number=nan")
+contrecoup_add_refusal(refuses_negative_end_time ${_sod} "Time/End time"
+  "Time/End time=-1")
+contrecoup_add_refusal(refuses_unknown_dimension ${_sod} "Domain/Dimension"
+  "Domain/Dimension=4")
+contrecoup_add_refusal(refuses_inconsistent_dimension ${_sod} "Domain/"
+  "Domain/Dimension=3")
+contrecoup_add_refusal(refuses_single_precision_1d ${_sod} "Method/Precision = single"
+  "Method/Precision=single")
+contrecoup_add_refusal(refuses_single_precision_mapped
+  blast/verification/mapped_vortex.prm "Method/Precision = single"
+  "Method/Precision=single")
+contrecoup_add_refusal(refuses_empty_box ${_sod} "Domain/Upper corner"
+  "Domain/Upper corner=-1")
+contrecoup_add_refusal(refuses_huge_mesh ${_sod} "of memory"
+  "Domain/Coarse leaves=1000000000")
+contrecoup_add_refusal(refuses_huge_octree blast/showcase/hot_ball.prm "of memory"
+  "Domain/Initial refinement=9")
+contrecoup_add_refusal(refuses_injury_where_nobody_lives ${_sod}
+  "people live at 45 to 115 kPa" "Probes/Injury=true" "Probes/Points=0.5")
+contrecoup_add_refusal(refuses_probe_outside ${_sod} "Probes/Points" "Probes/Points=7")
+contrecoup_add_refusal(refuses_missing_reference ${_sod} "Reference"
+  "Initial state/Kind=uniform")
+contrecoup_add_application_test(refuses_missing_file refusal FILE blast/no_such_file.prm
+  MESSAGE "no_such_file.prm")
+contrecoup_add_application_test(refuses_unfinished_file refusal FILE ${_sod} CONTENT
+  "subsection Method\nset Limiter = mc" MESSAGE "subsection")
+contrecoup_add_refusal(refuses_malformed_override ${_sod} "Section/Entry=value"
+  "Method")
+contrecoup_add_application_test(refuses_unknown_option refusal FILE ${_sod} ARGUMENTS
+  --outptu x MESSAGE "did you mean \"--output\"")
+contrecoup_add_application_test(refuses_unwritable_output refusal FILE ${_sod} OUTPUT
+  "@FOLDER@/a_file/run" MESSAGE "output folder")
+contrecoup_add_refusal(refuses_missing_mesh_file blast/extremes/rest_100000_steps.prm
+  "there is no such file" "Domain/Mesh=file" "Domain/Geometry=plane"
+  "Domain/Mesh file=no_such.msh")
 
 contrecoup_add_application_test(refuses_truncated_checkpoint damaged_checkpoint
   FILE ${_sod} MESSAGE "bytes instead of")

@@ -209,28 +209,27 @@ contrecoup_add_application_test(human_long_steps bounds ${_human}
   BOUNDS "status == finished" "retries == 0"
     "checks.loads_impulse_difference < 4.83e-4" ${_human_loads} LABELS nightly)
 
-blast_refuses(gauges_outside "is outside of the domain" FILE ${_cylinder}
-  SET "Loads/Record=true" "Loads/Gauges=below: 0.1, -0.5")
-blast_refuses(body_in_one_dimension "Rigid body/Kind: bodies need"
-  FILE ${_sod} SET "Rigid body/Kind=half space")
-blast_refuses(body_with_profile "no rigid body have a profile"
-  FILE blast/extremes/body_on_axis.prm SET "Output/Profile file=profile.h5")
-blast_refuses(body_galerkin "Method/Scheme = finite volume" FILE ${_cylinder}
-  SET "Method/Scheme=discontinuous galerkin")
-blast_refuses(body_subcells "Method/Subcells of 4 or more" FILE ${_cylinder}
-  SET "Method/Subcells=2")
-blast_refuses(body_of_a_hair "Rigid body: no cell of the domain" FILE ${_cylinder}
-  SET "Body/Shape/Size=1e-6, 1" "Body/Shift=0.013, 0.017, 0" "Probes/Points="
-  "Loads/Gauges=")
-blast_refuses(body_everywhere "Rigid body: it fills the whole domain"
-  FILE ${_cylinder} SET "Body/Shape/Size=70, 1" "Probes/Points=")
-blast_refuses(loads_without_body "Loads/Record = true needs" FILE ${_sod}
-  SET "Loads/Record=true")
-blast_refuses(probe_in_body "is in the rigid body" FILE ${_cylinder}
-  SET "Probes/Points=0.1, 0.1")
-blast_refuses(body_odd_subcells "Levels above 0 need an even number"
-  FILE ${_cylinder} SET "Method/Subcells=5" "Rigid body/Levels=1")
-blast_refuses(body_region_in_one_direction
-  "Rigid body/Finer region front: Lower corner and Upper corner need 2"
-  FILE ${_cylinder} SET ${_finer_front}
+contrecoup_add_refusal(refuses_gauges_outside ${_cylinder} "is outside of the domain"
+  "Loads/Record=true" "Loads/Gauges=below: 0.1, -0.5")
+contrecoup_add_refusal(refuses_body_in_one_dimension ${_sod}
+  "Rigid body/Kind: bodies need" "Rigid body/Kind=half space")
+contrecoup_add_refusal(refuses_body_with_profile blast/extremes/body_on_axis.prm
+  "no rigid body have a profile" "Output/Profile file=profile.h5")
+contrecoup_add_refusal(refuses_body_galerkin ${_cylinder}
+  "Method/Scheme = finite volume" "Method/Scheme=discontinuous galerkin")
+contrecoup_add_refusal(refuses_body_subcells ${_cylinder} "Method/Subcells of 4 or more"
+  "Method/Subcells=2")
+contrecoup_add_refusal(refuses_body_of_a_hair ${_cylinder}
+  "Rigid body: no cell of the domain" "Body/Shape/Size=1e-6, 1"
+  "Body/Shift=0.013, 0.017, 0" "Probes/Points=" "Loads/Gauges=")
+contrecoup_add_refusal(refuses_body_everywhere ${_cylinder}
+  "Rigid body: it fills the whole domain" "Body/Shape/Size=70, 1" "Probes/Points=")
+contrecoup_add_refusal(refuses_loads_without_body ${_sod} "Loads/Record = true needs"
+  "Loads/Record=true")
+contrecoup_add_refusal(refuses_probe_in_body ${_cylinder} "is in the rigid body"
+  "Probes/Points=0.1, 0.1")
+contrecoup_add_refusal(refuses_body_odd_subcells ${_cylinder}
+  "Levels above 0 need an even number" "Method/Subcells=5" "Rigid body/Levels=1")
+contrecoup_add_refusal(refuses_body_region_in_one_direction ${_cylinder}
+  "Rigid body/Finer region front: Lower corner and Upper corner need 2" ${_finer_front}
   "Rigid body/Finer region front/Lower corner=1")

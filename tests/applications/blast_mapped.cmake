@@ -178,39 +178,31 @@ contrecoup_add_application_test(ranks_mapped_galerkin_blending ranks
   "Initial state/Region charge/Pressure=1000" COMPARE history.csv
   TOLERANCE 1e-10 "momentum*=1e-12 absolute")
 
-contrecoup_add_application_test(refuses_inverted_cell refusal FILE ${_vortex}
-  SET "Domain/Mesh file=${CMAKE_CURRENT_SOURCE_DIR}/meshes/inverted_cell.msh"
-  MESSAGE "cell 1 with centre")
-contrecoup_add_application_test(refuses_inverted_refinement refusal
-  FILE ${_ball} SET "Domain/Generator arguments=0, 0, 0 : 1 : true"
-  MESSAGE "refined 2 times, is inverted")
-contrecoup_add_application_test(refuses_inverted_curved_cell refusal
-  FILE ${_ball} SET ${_galerkin} "Domain/Initial refinement=1"
-  "Domain/Generator arguments=0, 0, 0 : 1 : true"
-  MESSAGE "set Method/Cell degree = 1 for straight cells")
-contrecoup_add_application_test(refuses_cell_degree refusal FILE ${_ring}
-  SET "Method/Cell degree=5"
-  MESSAGE "Method/Cell degree = 5: with Method/Degree = 3 in 2-D at most 4")
-contrecoup_add_application_test(refuses_triangle refusal FILE ${_vortex}
-  SET "Domain/Mesh file=${CMAKE_CURRENT_SOURCE_DIR}/meshes/triangle.msh"
-  MESSAGE "quadrilaterals")
-contrecoup_add_application_test(refuses_unknown_generator refusal FILE ${_ball}
-  SET "Domain/Generator=hyper_bal" MESSAGE "Domain/Generator = hyper_bal")
-contrecoup_add_application_test(refuses_galerkin_gradient_limiter refusal
-  FILE ${_ball} SET ${_galerkin} "Method/Gradient limiter=barth jespersen"
-  MESSAGE "only none is available")
-contrecoup_add_application_test(refuses_mapped_adaptation refusal
-  FILE ${_ball} SET "Adaptation/Active=true"
-  MESSAGE "Adaptation/Active = true needs Domain/Mesh = box")
-contrecoup_add_application_test(refuses_mapped_odd_subcells refusal
-  FILE ${_ball} SET ${_octant} "Method/Subcells=5"
-  MESSAGE "Method/Subcells = 1 or an even number")
-contrecoup_add_application_test(refuses_unknown_boundary refusal
-  FILE ${_vortex} SET "Boundaries/By id=7: open"
-  MESSAGE "the mesh has no boundary 7, only 0")
-contrecoup_add_application_test(refuses_box_side refusal FILE ${_vortex}
-  SET "Boundaries/x low=open" MESSAGE "Boundaries/By id")
-contrecoup_add_application_test(refuses_huge_mapped_mesh refusal FILE ${_ball}
-  SET "Domain/Initial refinement=9" MESSAGE "of memory")
-contrecoup_add_application_test(refuses_mapped_probe refusal FILE ${_ball}
-  SET "Probes/Points=0.9,0.9,0" MESSAGE "is outside of the mesh")
+contrecoup_add_refusal(refuses_inverted_cell ${_vortex} "cell 1 with centre"
+  "Domain/Mesh file=${CMAKE_CURRENT_SOURCE_DIR}/meshes/inverted_cell.msh")
+contrecoup_add_refusal(refuses_inverted_refinement ${_ball}
+  "refined 2 times, is inverted" "Domain/Generator arguments=0, 0, 0 : 1 : true")
+contrecoup_add_refusal(refuses_inverted_curved_cell ${_ball}
+  "set Method/Cell degree = 1 for straight cells" ${_galerkin}
+  "Domain/Initial refinement=1" "Domain/Generator arguments=0, 0, 0 : 1 : true")
+contrecoup_add_refusal(refuses_cell_degree ${_ring}
+  "Method/Cell degree = 5: with Method/Degree = 3 in 2-D at most 4"
+  "Method/Cell degree=5")
+contrecoup_add_refusal(refuses_triangle ${_vortex} "quadrilaterals"
+  "Domain/Mesh file=${CMAKE_CURRENT_SOURCE_DIR}/meshes/triangle.msh")
+contrecoup_add_refusal(refuses_unknown_generator ${_ball} "Domain/Generator = hyper_bal"
+  "Domain/Generator=hyper_bal")
+contrecoup_add_refusal(refuses_galerkin_gradient_limiter ${_ball}
+  "only none is available" ${_galerkin} "Method/Gradient limiter=barth jespersen")
+contrecoup_add_refusal(refuses_mapped_adaptation ${_ball}
+  "Adaptation/Active = true needs Domain/Mesh = box" "Adaptation/Active=true")
+contrecoup_add_refusal(refuses_mapped_odd_subcells ${_ball}
+  "Method/Subcells = 1 or an even number" ${_octant} "Method/Subcells=5")
+contrecoup_add_refusal(refuses_unknown_boundary ${_vortex}
+  "the mesh has no boundary 7, only 0" "Boundaries/By id=7: open")
+contrecoup_add_refusal(refuses_box_side ${_vortex} "Boundaries/By id"
+  "Boundaries/x low=open")
+contrecoup_add_refusal(refuses_huge_mapped_mesh ${_ball} "of memory"
+  "Domain/Initial refinement=9")
+contrecoup_add_refusal(refuses_mapped_probe ${_ball} "is outside of the mesh"
+  "Probes/Points=0.9,0.9,0")

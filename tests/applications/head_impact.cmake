@@ -276,34 +276,28 @@ contrecoup_add_application_test(sphere_wedge_slower bounds
   "Body force/y=if(t < 2e-3, 1000 * sin(pi * t / 2e-3), 0)"
   BOUNDS ${_ledger} "errors.peak < 1.65e-2" LABELS verification)
 
-contrecoup_add_application_test(refuses_unknown_side refusal
-  FILE ${_folder}/sod.prm SET "Side top/Kind=free"
-  MESSAGE "a mesh of kind box has no such side, but x-, x+, y-, y+, z-, z+")
-contrecoup_add_application_test(refuses_place_without_region refusal
-  FILE ${_folder}/sod.prm SET "Region gas/Where=x > 0.6"
-  MESSAGE "m is in none")
-contrecoup_add_application_test(refuses_empty_region refusal
-  FILE ${_folder}/sod.prm SET "Region third/Where=x > 2"
-  MESSAGE "Region third/Where = \"x > 2\" selects no centre of a cell")
-contrecoup_add_application_test(refuses_to_put_regions_back refusal
-  FILE ${_folder}/sod.prm SET "Region other/Where=x > 0.5"
-  "Region other/Pressure=1"
-  MESSAGE "back needs a single region")
-contrecoup_add_application_test(refuses_probe_outside refusal
-  FILE ${_folder}/sod.prm SET "Probes/Points=3, 0, 0"
-  MESSAGE "m is outside of the mesh")
-contrecoup_add_application_test(refuses_liquid_without_constants refusal
-  FILE ${_folder}/water_hammer.prm SET "Region water/Density=1.2"
-  MESSAGE "kg/m^3 and Bulk modulus = 2.2e+09 Pa the sound speed would be 4.282e+04 m/s")
-contrecoup_add_application_test(refuses_negative_pressure refusal
-  FILE ${_folder}/sod.prm SET "Region gas/Pressure=0.4 - x"
-  MESSAGE "Pressure must leave the sound speed real and above 0")
-contrecoup_add_application_test(refuses_products_above_one refusal
-  FILE ${_folder}/sod.prm SET "Region gas/Products=1.5"
-  MESSAGE "Products must be from 0 to 1, and is 1.5")
-contrecoup_add_application_test(refuses_inverted_mesh refusal
-  FILE ${_folder}/sod.prm SET "Mesh/Position x=if(x > 0.5, 1 - x, x)"
-  MESSAGE "is inverted: at one of its corners the volume is not positive")
+contrecoup_add_refusal(refuses_unknown_side ${_folder}/sod.prm
+  "a mesh of kind box has no such side, but x-, x+, y-, y+, z-, z+"
+  "Side top/Kind=free")
+contrecoup_add_refusal(refuses_place_without_region ${_folder}/sod.prm "m is in none"
+  "Region gas/Where=x > 0.6")
+contrecoup_add_refusal(refuses_empty_region ${_folder}/sod.prm
+  "Region third/Where = \"x > 2\" selects no centre of a cell"
+  "Region third/Where=x > 2")
+contrecoup_add_refusal(refuses_to_put_regions_back ${_folder}/sod.prm
+  "back needs a single region" "Region other/Where=x > 0.5" "Region other/Pressure=1")
+contrecoup_add_refusal(refuses_probe_outside ${_folder}/sod.prm
+  "m is outside of the mesh" "Probes/Points=3, 0, 0")
+contrecoup_add_refusal(refuses_liquid_without_constants ${_folder}/water_hammer.prm
+  "kg/m^3 and Bulk modulus = 2.2e+09 Pa the sound speed would be 4.282e+04 m/s"
+  "Region water/Density=1.2")
+contrecoup_add_refusal(refuses_negative_pressure ${_folder}/sod.prm
+  "Pressure must leave the sound speed real and above 0" "Region gas/Pressure=0.4 - x")
+contrecoup_add_refusal(refuses_products_above_one ${_folder}/sod.prm
+  "Products must be from 0 to 1, and is 1.5" "Region gas/Products=1.5")
+contrecoup_add_refusal(refuses_inverted_mesh ${_folder}/sod.prm
+  "is inverted: at one of its corners the volume is not positive"
+  "Mesh/Position x=if(x > 0.5, 1 - x, x)")
 
 # Young (2003): contact of 1.84 ms with at most 16.1 kN, and the pressure
 # rho a z half way to the poles and at them, all within 10 %: with the acceleration a of
@@ -358,9 +352,8 @@ contrecoup_add_application_test(added_mass_fixed_fails bounds
 contrecoup_add_application_test(refuses_coupling_without_interface refusal
   FILE ${_folder}/sod.prm SET "Coupling/Scheme=loose" ARGUMENTS --check
   MESSAGE "Coupling/Scheme = loose needs a fluid and a solid that share nodes")
-contrecoup_add_application_test(refuses_relaxation_out_of_range refusal
-  FILE ${_folder}/added_mass.prm SET "Coupling/Relaxation=2.5"
-  MESSAGE "allowed: a number from 0.001 to 2")
+contrecoup_add_refusal(refuses_relaxation_out_of_range ${_folder}/added_mass.prm
+  "allowed: a number from 0.001 to 2" "Coupling/Relaxation=2.5")
 
 # A coarse head: impact, smoothing, brain that relaxes. The step size follows the
 # direction of the largest compression, which round-off turns where two are alike.
@@ -387,15 +380,14 @@ contrecoup_add_application_test(head_wedge_whole_impact bounds
   "results.peak_contact_force < 6.99e3"
   "assumptions.cavitation_CSF.measured > -2.69e5"
   "history.mass > 3.18" "history.mass < 3.25")
-contrecoup_add_application_test(refuses_wedge_that_is_not_round refusal
-  FILE head_impact/quickstart.prm SET "Mesh/Wedge axis=z" "Mesh/Semi-axes=0.08, 0.07, 0.08"
-  MESSAGE "Mesh/Wedge axis = z needs equal Mesh/Semi-axes along x and y, which are 0.08 and 0.07 m")
-contrecoup_add_application_test(refuses_wedge_of_box refusal
-  FILE ${_folder}/sod.prm SET "Mesh/Wedge axis=x"
-  MESSAGE "Mesh/Wedge axis is for Mesh/Kind = layered head")
-contrecoup_add_application_test(refuses_wedge_in_turn refusal
-  FILE head_impact/quickstart.prm SET "Mesh/Wedge axis=z" "Coupling/Scheme=Aitken"
-  MESSAGE "Mesh/Wedge axis: the nodal masses of a wedge do not suit")
+contrecoup_add_refusal(refuses_wedge_that_is_not_round head_impact/quickstart.prm
+  "Mesh/Wedge axis = z needs equal Mesh/Semi-axes along x and y, which are 0.08 and 0.07 m"
+  "Mesh/Wedge axis=z" "Mesh/Semi-axes=0.08, 0.07, 0.08")
+contrecoup_add_refusal(refuses_wedge_of_box ${_folder}/sod.prm
+  "Mesh/Wedge axis is for Mesh/Kind = layered head" "Mesh/Wedge axis=x")
+contrecoup_add_refusal(refuses_wedge_in_turn head_impact/quickstart.prm
+  "Mesh/Wedge axis: the nodal masses of a wedge do not suit" "Mesh/Wedge axis=z"
+  "Coupling/Scheme=Aitken")
 # Thin cells in the skull next to thick ones in the CSF: a ratio of added mass of 1.9,
 # remaps and contact, solved in turn.
 set(_thick ${_coarse} "Mesh/CSF cells=1" "Mesh/Skull cells=4"
@@ -472,15 +464,14 @@ contrecoup_add_application_test(spinning_skull_that_sticks bounds
   "Region CSF/Interface=stick"
   BOUNDS ${_ledger} "history.kinetic_energy_skull < 1.2"
   "history.kinetic_energy_CSF > 0.24" LABELS verification)
-contrecoup_add_application_test(refuses_slip_without_smoothing refusal
-  FILE head_impact/quickstart.prm SET "Region CSF/Interface=slip" "Rezone/Kind=none"
-  MESSAGE "Interface = slip needs Rezone/Kind = elastic")
-contrecoup_add_application_test(refuses_solid_that_slips refusal
-  FILE head_impact/quickstart.prm SET "Region skull/Interface=slip"
-  MESSAGE "Interface = slip is for fluids")
-contrecoup_add_application_test(refuses_slip_along_nothing refusal
-  FILE ${_folder}/sod.prm SET "Region gas/Interface=slip" "Rezone/Kind=elastic"
-  MESSAGE "Interface = \"slip\" selects no face of a region that sticks")
+contrecoup_add_refusal(refuses_slip_without_smoothing head_impact/quickstart.prm
+  "Interface = slip needs Rezone/Kind = elastic" "Region CSF/Interface=slip"
+  "Rezone/Kind=none")
+contrecoup_add_refusal(refuses_solid_that_slips head_impact/quickstart.prm
+  "Interface = slip is for fluids" "Region skull/Interface=slip")
+contrecoup_add_refusal(refuses_slip_along_nothing ${_folder}/sod.prm
+  "Interface = \"slip\" selects no face of a region that sticks"
+  "Region gas/Interface=slip" "Rezone/Kind=elastic")
 
 # A head of cubes that anatomy made, and defects of such files.
 set(_of_file "Mesh/Kind=file" "Mesh/Symmetry planes="
@@ -493,12 +484,10 @@ contrecoup_add_application_test(voxel_head bounds,ranks
   "assumptions.mesh.measured > 0.999999" "assumptions.pieces.measured < 1.5"
   COMPARE history.csv TOLERANCE 5e-6 "energy_residual*=1e-12 absolute"
   "momentum_[xy]*=1e-7 absolute" "velocity_[xy]*=1e-7 absolute" "step size*=1e-4")
-contrecoup_add_application_test(refuses_material_without_region refusal
-  FILE head_impact/quickstart.prm SET ${_of_file} "Region skull/Layer=brain"
-  MESSAGE "m of \"skeleton (3)\" is in none")
-contrecoup_add_application_test(refuses_side_that_is_round refusal
-  FILE head_impact/quickstart.prm SET ${_of_file} "Mesh/Symmetry planes=x"
-  MESSAGE "a mesh that is cut there has 50 % at least")
+contrecoup_add_refusal(refuses_material_without_region head_impact/quickstart.prm
+  "m of \"skeleton (3)\" is in none" ${_of_file} "Region skull/Layer=brain")
+contrecoup_add_refusal(refuses_side_that_is_round head_impact/quickstart.prm
+  "a mesh that is cut there has 50 % at least" ${_of_file} "Mesh/Symmetry planes=x")
 set_tests_properties(head_impact_voxel_head PROPERTIES FIXTURES_REQUIRED head_mesh)
 
 # The report of such a head.
@@ -536,24 +525,19 @@ _contrecoup_register_test(head_impact_report_page LABELS head_report
 set_tests_properties(head_impact_report_figures head_impact_report_page
   PROPERTIES FIXTURES_REQUIRED head_report)
 
-contrecoup_add_application_test(refuses_wall_in_head refusal
-  FILE head_impact/quickstart.prm SET "Plane wall/Point=0, 0, -0.09"
-  MESSAGE "Plane wall: it cuts the body at the start, which reaches 0.001 m")
-contrecoup_add_application_test(refuses_pressed_solid refusal
-  FILE head_impact/quickstart.prm SET "Region skull/Pressure=1e5"
-  MESSAGE "Pressure must be 0 in a solid")
-contrecoup_add_application_test(refuses_missing_layer refusal
-  FILE head_impact/quickstart.prm SET "Region skull/Layer=scalp"
-  MESSAGE "the mesh has no \"scalp\", but brain, csf, skull")
-contrecoup_add_application_test(refuses_to_smooth_solids refusal
-  FILE head_impact/quickstart.prm SET "Region CSF/Material=elastic"
-  MESSAGE "Rezone/Kind must be none if all regions are solids")
-contrecoup_add_application_test(refuses_mesh_beyond_memory refusal
-  FILE ${_folder}/sod.prm SET "Mesh/Elements=100000, 100000, 100000"
-  MESSAGE "of memory, this machine has")
-contrecoup_add_application_test(refuses_interval_below_step refusal
-  FILE ${_folder}/sod.prm SET "Rezone/Interval=1e-9"
-  MESSAGE "is far below the step, about")
+contrecoup_add_refusal(refuses_wall_in_head head_impact/quickstart.prm
+  "Plane wall: it cuts the body at the start, which reaches 0.001 m"
+  "Plane wall/Point=0, 0, -0.09")
+contrecoup_add_refusal(refuses_pressed_solid head_impact/quickstart.prm
+  "Pressure must be 0 in a solid" "Region skull/Pressure=1e5")
+contrecoup_add_refusal(refuses_missing_layer head_impact/quickstart.prm
+  "the mesh has no \"scalp\", but brain, csf, skull" "Region skull/Layer=scalp")
+contrecoup_add_refusal(refuses_to_smooth_solids head_impact/quickstart.prm
+  "Rezone/Kind must be none if all regions are solids" "Region CSF/Material=elastic")
+contrecoup_add_refusal(refuses_mesh_beyond_memory ${_folder}/sod.prm
+  "of memory, this machine has" "Mesh/Elements=100000, 100000, 100000")
+contrecoup_add_refusal(refuses_interval_below_step ${_folder}/sod.prm
+  "is far below the step, about" "Rezone/Interval=1e-9")
 
 # Readers besides ParaView, of meshes and of particles.
 foreach(_file quickstart verification/two_disks)

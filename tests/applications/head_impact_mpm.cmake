@@ -135,36 +135,30 @@ contrecoup_add_application_test(particles_close_a_void bounds,resume,ranks ${_co
 contrecoup_add_application_test(particles_leave bounds
   FILE ${_folder}/two_disks.prm SET "Output/Fields=false" "Body force/x=100" EXIT 2
   MESSAGE "a particle left the grid at")
-contrecoup_add_application_test(expressions_refuse_ale refusal
-  FILE ${_folder}/water_hammer.prm SET "Reference/Kind=expressions"
-  MESSAGE "Reference/Kind = expressions needs Method = mpm")
-contrecoup_add_application_test(front_refuses_lists refusal
-  FILE ${_folder}/dam_break.prm SET "Reference/Front/Times=0.1, 0.2"
-  MESSAGE "Reference/Front/Positions has 6 numbers, and Times has 2")
-contrecoup_add_application_test(front_refuses_region refusal
-  FILE ${_folder}/dam_break.prm SET "Reference/Front/Region=oil"
-  MESSAGE "Reference/Front/Region: there is no region \"oil\"")
-contrecoup_add_application_test(clamped_refuses_ale refusal
-  FILE ${_folder}/water_hammer.prm SET "Side x-/Kind=clamped"
-  MESSAGE "Side x-/Kind = clamped is for particles only, Method = mpm")
-contrecoup_add_application_test(clamped_refuses_spheres refusal
-  FILE ${_folder}/fluid_in_rigid_sphere.prm SET "Method=mpm" "Side sphere/Kind=clamped"
-  MESSAGE "Side sphere/Kind = clamped is for plane sides")
-contrecoup_add_application_test(metals_refuse_ale refusal
-  FILE ${_folder}/taylor_bar.prm SET "Method=ale"
-  MESSAGE "Region bar/Material = johnson-cook needs Method = mpm")
-contrecoup_add_application_test(metals_refuse_to_melt refusal
-  FILE ${_folder}/taylor_bar.prm SET "Region bar/Melting temperature=273"
-  MESSAGE "Region bar: Melting temperature = 273 K must be above Reference")
-contrecoup_add_application_test(extents_refuse_region refusal
-  FILE ${_folder}/taylor_bar.prm SET "Reference/Extent foot/Region=oil"
-  MESSAGE "Reference/Extent foot/Region: there is no region \"oil\"")
-contrecoup_add_application_test(extents_refuse_none refusal
-  FILE ${_folder}/two_disks.prm SET "Reference/Kind=extents"
-  MESSAGE "Reference/Kind = extents: there is none")
-contrecoup_add_application_test(extents_refuse_ale refusal
-  FILE ${_folder}/water_hammer.prm SET "Reference/Kind=extents"
-  MESSAGE "Reference/Kind = extents needs Method = mpm")
-contrecoup_add_application_test(probe_displacements_refuse_lists refusal
-  FILE ${_folder}/cooks_membrane.prm SET "Reference/Probe displacements/Known=0.3"
-  MESSAGE "Reference/Probe displacements/Known has 1 numbers, and Probes/Points has 2")
+contrecoup_add_refusal(expressions_refuse_ale ${_folder}/water_hammer.prm
+  "Reference/Kind = expressions needs Method = mpm" "Reference/Kind=expressions")
+contrecoup_add_refusal(front_refuses_lists ${_folder}/dam_break.prm
+  "Reference/Front/Positions has 6 numbers, and Times has 2"
+  "Reference/Front/Times=0.1, 0.2")
+contrecoup_add_refusal(front_refuses_region ${_folder}/dam_break.prm
+  "Reference/Front/Region: there is no region \"oil\"" "Reference/Front/Region=oil")
+contrecoup_add_refusal(clamped_refuses_ale ${_folder}/water_hammer.prm
+  "Side x-/Kind = clamped is for particles only, Method = mpm" "Side x-/Kind=clamped")
+contrecoup_add_refusal(clamped_refuses_spheres ${_folder}/fluid_in_rigid_sphere.prm
+  "Side sphere/Kind = clamped is for plane sides" "Method=mpm"
+  "Side sphere/Kind=clamped")
+contrecoup_add_refusal(metals_refuse_ale ${_folder}/taylor_bar.prm
+  "Region bar/Material = johnson-cook needs Method = mpm" "Method=ale")
+contrecoup_add_refusal(metals_refuse_to_melt ${_folder}/taylor_bar.prm
+  "Region bar: Melting temperature = 273 K must be above Reference"
+  "Region bar/Melting temperature=273")
+contrecoup_add_refusal(extents_refuse_region ${_folder}/taylor_bar.prm
+  "Reference/Extent foot/Region: there is no region \"oil\""
+  "Reference/Extent foot/Region=oil")
+contrecoup_add_refusal(extents_refuse_none ${_folder}/two_disks.prm
+  "Reference/Kind = extents: there is none" "Reference/Kind=extents")
+contrecoup_add_refusal(extents_refuse_ale ${_folder}/water_hammer.prm
+  "Reference/Kind = extents needs Method = mpm" "Reference/Kind=extents")
+contrecoup_add_refusal(probe_displacements_refuse_lists ${_folder}/cooks_membrane.prm
+  "Reference/Probe displacements/Known has 1 numbers, and Probes/Points has 2"
+  "Reference/Probe displacements/Known=0.3")

@@ -44,21 +44,20 @@ contrecoup_add_application_test(particles_head_gives_back bounds
   BOUNDS "status == finished" "assumptions.given_back.measured > 0.1"
   MESSAGE "WARNING: given_back: energy that the matter gives back")
 
-contrecoup_add_application_test(particles_refuse_gas refusal
-  FILE head_impact/verification/sod.prm SET "Method=mpm" "MPM/Cell size=0.01"
-  MESSAGE "particles are tait, elastic, viscoelastic, johnson-cook or a tissue")
-contrecoup_add_application_test(particles_refuse_wall_in_head refusal
-  FILE head_impact/quickstart.prm SET ${_particles} "Plane wall/Point=0, 0, -0.09"
-  MESSAGE "Plane wall: it cuts the body at the start, which reaches 0.001")
-contrecoup_add_application_test(particles_refuse_linear_apic refusal
-  FILE head_impact/quickstart.prm SET ${_particles} "MPM/Basis=linear"
-  "MPM/Transfer=apic" MESSAGE "apic needs MPM/Basis = quadratic or cubic")
-contrecoup_add_application_test(particles_refuse_probe_outside refusal
-  FILE head_impact/quickstart.prm SET ${_particles} "Probes/Points=0, 0, 1"
-  MESSAGE "is outside of the matter")
-contrecoup_add_application_test(bodies_refuse_ale refusal
-  FILE head_impact/quickstart.prm SET "Mesh/Kind=body" "Mesh/Symmetry planes="
-  MESSAGE "Mesh/Kind = body is for particles only, Method = mpm")
+contrecoup_add_refusal(particles_refuse_gas head_impact/verification/sod.prm
+  "particles are tait, elastic, viscoelastic, johnson-cook or a tissue" "Method=mpm"
+  "MPM/Cell size=0.01")
+contrecoup_add_refusal(particles_refuse_wall_in_head head_impact/quickstart.prm
+  "Plane wall: it cuts the body at the start, which reaches 0.001" ${_particles}
+  "Plane wall/Point=0, 0, -0.09")
+contrecoup_add_refusal(particles_refuse_linear_apic head_impact/quickstart.prm
+  "apic needs MPM/Basis = quadratic or cubic" ${_particles} "MPM/Basis=linear"
+  "MPM/Transfer=apic")
+contrecoup_add_refusal(particles_refuse_probe_outside head_impact/quickstart.prm
+  "is outside of the matter" ${_particles} "Probes/Points=0, 0, 1")
+contrecoup_add_refusal(bodies_refuse_ale head_impact/quickstart.prm
+  "Mesh/Kind = body is for particles only, Method = mpm" "Mesh/Kind=body"
+  "Mesh/Symmetry planes=")
 
 # The report on a head of particles, and on two runs of one head.
 contrecoup_add_application_test(particles_report bounds,pictures

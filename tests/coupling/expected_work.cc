@@ -7,6 +7,7 @@
 #include <contrecoup/base/run/time_parameters.h>
 #include <contrecoup/coupling/first_stage/staged_simulation.h>
 
+#include "../set_entries.h"
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -77,10 +78,7 @@ void parse(const Lines &lines, StagedSimulation<3> &simulation)
   ParameterHandler prm;
   TimeParameters::declare_parameters(prm);
   StagedSimulation<3>::declare_parameters(prm);
-  std::vector<Assignment> assignments;
-  for (const std::string &line : lines)
-    assignments.push_back(parse_override(line));
-  apply_assignments(assignments, prm);
+  set_entries(prm, lines);
   simulation.parse_parameters(prm);
 }
 

@@ -7,6 +7,7 @@
 #include <contrecoup/coupling/first_stage/staged_simulation.h>
 #include <contrecoup/materials/explosives.h>
 
+#include "../set_entries.h"
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -21,10 +22,7 @@ std::vector<std::string> warning_of(const std::vector<std::string> &lines)
 {
   dealii::ParameterHandler prm;
   StagedSimulation<3>::declare_parameters(prm);
-  std::vector<Assignment> assignments;
-  for (const std::string &line : lines)
-    assignments.push_back(parse_override(line));
-  apply_assignments(assignments, prm);
+  set_entries(prm, lines);
   return warn_of_bias(prm);
 }
 } // namespace

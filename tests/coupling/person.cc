@@ -6,6 +6,7 @@
 #include <contrecoup/geometry/body/body_description.h>
 #include <contrecoup/geometry/shape/primitive_shapes.h>
 
+#include "../set_entries.h"
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -49,10 +50,7 @@ Person person_by(const Lines &lines,
 {
   dealii::ParameterHandler prm;
   BodyDescription::declare_parameters(prm);
-  std::vector<Assignment> assignments;
-  for (const std::string &line : lines)
-    assignments.push_back(parse_override(line));
-  apply_assignments(assignments, prm);
+  set_entries(prm, lines);
   const Placement placement(
     1., turns ? Placement::read_rotation(prm) : Tensor<1, 3>(), {});
   return {prm, *box_with_landmarks().placed(placement), 58., charge};

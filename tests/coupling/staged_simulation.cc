@@ -7,6 +7,7 @@
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/coupling/first_stage/staged_simulation.h>
 
+#include "../set_entries.h"
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -97,10 +98,7 @@ void read(const Lines &lines, ParameterHandler &prm)
 {
   TimeParameters::declare_parameters(prm);
   StagedSimulation<dim>::declare_parameters(prm);
-  std::vector<Assignment> assignments;
-  for (const std::string &line : lines)
-    assignments.push_back(parse_override(line));
-  apply_assignments(assignments, prm);
+  set_entries(prm, lines);
 }
 
 
@@ -382,10 +380,7 @@ TEST(StagedSimulation, LinesOfGaugesAreThoseWithoutAFirstStage)
   ParameterHandler prm;
   TimeParameters::declare_parameters(prm);
   StagedSimulation<2>::declare_parameters(prm);
-  std::vector<Assignment> assignments;
-  for (const std::string &line : with_gauges())
-    assignments.push_back(parse_override(line));
-  apply_assignments(assignments, prm);
+  set_entries(prm, with_gauges());
   gas::GasSimulation<2> whole(MPI_COMM_WORLD);
   whole.parse_parameters(prm);
   const auto expected = gauge_line(whole, 1.2e-3);

@@ -15,6 +15,7 @@
 #include <contrecoup/gas/state/leaf_sampling.h>
 #include <contrecoup/gas/stepping/time_stepper.h>
 
+#include "../set_entries.h"
 #include "run_lines.h"
 
 #include <map>
@@ -56,10 +57,7 @@ public:
       const Section section(prm, "Time");
       prm.declare_entry("End time", "1");
     }
-    std::vector<Assignment> assignments;
-    for (const std::string &line : lines)
-      assignments.push_back(parse_override(line));
-    apply_assignments(assignments, prm);
+    set_entries(prm, lines);
 
     Scene::parse_parameters(prm);
     adaptation_parameters.parse_parameters(prm,

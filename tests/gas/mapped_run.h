@@ -7,6 +7,7 @@
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/gas/run/gas_simulation.h>
 
+#include "../set_entries.h"
 #include "run_lines.h"
 #include <gtest/gtest.h>
 
@@ -60,10 +61,7 @@ std::pair<Totals, Totals> run(const Lines &lines, const unsigned int n_steps)
   prm.enter_subsection("Time");
   prm.declare_entry("End time", "1");
   prm.leave_subsection();
-  std::vector<Assignment> assignments;
-  for (const std::string &line : lines)
-    assignments.push_back(parse_override(line));
-  apply_assignments(assignments, prm);
+  set_entries(prm, lines);
 
   GasSimulation<dim> simulation(MPI_COMM_WORLD);
   simulation.parse_parameters(prm);

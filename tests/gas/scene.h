@@ -10,6 +10,8 @@
 #include <contrecoup/geometry/mesh/coarse_mesh.h>
 #include <contrecoup/materials/gas_material.h>
 
+#include "../set_entries.h"
+
 #include <string>
 #include <vector>
 
@@ -28,10 +30,7 @@ public:
     InitialState<dim>::declare_parameters(prm_);
     ReferenceSolution<dim>::declare_parameters(prm_);
 
-    std::vector<Assignment> assignments;
-    for (const std::string &line : lines)
-      assignments.push_back(parse_override(line));
-    apply_assignments(assignments, prm_);
+    set_entries(prm_, lines);
 
     material.parse_parameters(prm_);
     initial.parse_parameters(prm_, material);

@@ -7,6 +7,7 @@
 #include <contrecoup/geometry/body/body_layer.h>
 #include <contrecoup/geometry/image/part_thickness.h>
 
+#include "../set_entries.h"
 #include "nifti_content.h"
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -25,10 +26,7 @@ std::vector<BodyLayer> layers_of(const std::vector<std::string> &texts)
     const Section section(prm, "Body");
     BodyDescription::declare_parameters(prm);
   }
-  std::vector<Assignment> assignments;
-  for (const std::string &text : texts)
-    assignments.push_back(parse_override("Body/" + text));
-  apply_assignments(assignments, prm);
+  set_entries(prm, texts, "Body/");
   return read_layers(prm);
 }
 

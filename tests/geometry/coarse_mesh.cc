@@ -7,6 +7,7 @@
 
 #include <deal.II/grid/grid_tools.h>
 
+#include "../set_entries.h"
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -23,10 +24,7 @@ CoarseMesh<dim> parse(const std::vector<std::string> &lines)
 {
   dealii::ParameterHandler prm;
   CoarseMesh<dim>::declare_parameters(prm);
-  std::vector<Assignment> assignments;
-  for (const std::string &line : lines)
-    assignments.push_back(parse_override(line));
-  apply_assignments(assignments, prm);
+  set_entries(prm, lines);
   CoarseMesh<dim> mesh;
   mesh.parse_parameters(prm);
   return mesh;

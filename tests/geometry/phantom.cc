@@ -5,6 +5,7 @@
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/geometry/body/body_description.h>
 
+#include "../set_entries.h"
 #include <gtest/gtest.h>
 
 using namespace contrecoup;
@@ -16,10 +17,7 @@ BodyDescription describe(const std::vector<std::string> &lines)
 {
   dealii::ParameterHandler prm;
   BodyDescription::declare_parameters(prm);
-  std::vector<Assignment> assignments;
-  for (const std::string &line : lines)
-    assignments.push_back(parse_override(line));
-  apply_assignments(assignments, prm);
+  set_entries(prm, lines);
   BodyDescription description;
   description.parse_parameters(prm);
   return description;

@@ -6,6 +6,7 @@
 #include <contrecoup/materials/custom_explosive.h>
 #include <contrecoup/materials/mie_grueneisen.h>
 
+#include "../set_entries.h"
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -181,10 +182,7 @@ CustomExplosive custom_with(const std::vector<std::string> &lines)
 {
   dealii::ParameterHandler prm;
   CustomExplosive::declare_parameters(prm);
-  std::vector<Assignment> assignments;
-  for (const std::string &line : lines)
-    assignments.push_back(parse_override(line));
-  apply_assignments(assignments, prm);
+  set_entries(prm, lines);
   CustomExplosive custom;
   custom.parse_parameters(prm, "Charge/Custom explosive");
   return custom;

@@ -7,6 +7,7 @@
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/materials/own_tissues.h>
 
+#include "../set_entries.h"
 #include <gtest/gtest.h>
 
 using namespace contrecoup;
@@ -21,10 +22,7 @@ OwnTissues read(const std::vector<std::string> &entries)
     const Section section(prm, "Materials");
     OwnTissues::declare_parameters(prm);
   }
-  std::vector<Assignment> assignments;
-  for (const std::string &entry : entries)
-    assignments.push_back(parse_override("Materials/Tissue " + entry));
-  apply_assignments(assignments, prm);
+  set_entries(prm, entries, "Materials/Tissue ");
   // Entries that a run writes are read again as they were.
   ParameterHandler again;
   {

@@ -7,6 +7,7 @@
 #include <contrecoup/io/file/temporary_folder.h>
 #include <contrecoup/study/error_measure.h>
 
+#include "../set_entries.h"
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -22,10 +23,7 @@ ErrorMeasure measure(const std::vector<std::string> &overrides)
 {
   dealii::ParameterHandler prm;
   ErrorMeasure::declare_parameters(prm);
-  std::vector<Assignment> assignments;
-  for (const std::string &text : overrides)
-    assignments.push_back(parse_override("Error/" + text));
-  apply_assignments(assignments, prm);
+  set_entries(prm, overrides, "Error/");
   ErrorMeasure result;
   result.parse_parameters(prm);
   return result;

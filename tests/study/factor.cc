@@ -6,6 +6,7 @@
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/study/factor.h>
 
+#include "../set_entries.h"
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -23,10 +24,7 @@ std::vector<Factor> read(const std::vector<std::string> &overrides)
     const Section section(prm, "Vary *");
     Factor::declare_parameters(prm);
   }
-  std::vector<Assignment> assignments;
-  for (const std::string &text : overrides)
-    assignments.push_back(parse_override("Vary " + text));
-  apply_assignments(assignments, prm);
+  set_entries(prm, overrides, "Vary ");
   return parse_factors(prm);
 }
 } // namespace

@@ -4,6 +4,7 @@
 #include <contrecoup/gas/adaptation/leaf_transfer.h>
 #include <contrecoup/gas/state/leaf_sampling.h>
 
+#include "../../set_entries.h"
 #include "gas_run.h"
 #include <gtest/gtest.h>
 
@@ -31,10 +32,7 @@ GasMaterial make_material(const bool mixture)
   GasMaterial::declare_parameters(prm);
   if (mixture)
   {
-    std::vector<Assignment> assignments;
-    for (const std::string &line : products_in_air())
-      assignments.push_back(parse_override(line));
-    apply_assignments(assignments, prm);
+    set_entries(prm, products_in_air());
   }
   GasMaterial material;
   material.parse_parameters(prm);

@@ -3,6 +3,7 @@
 
 #include <contrecoup/gas/explosive/afterburn.h>
 
+#include "../../set_entries.h"
 #include "gas_run.h"
 #include <gtest/gtest.h>
 
@@ -18,10 +19,7 @@ Afterburn parse(const std::vector<std::string> &lines)
 {
   dealii::ParameterHandler prm;
   Afterburn::declare_parameters(prm);
-  std::vector<Assignment> assignments;
-  for (const std::string &line : lines)
-    assignments.push_back(parse_override("Afterburn/" + line));
-  apply_assignments(assignments, prm);
+  set_entries(prm, lines, "Afterburn/");
   Afterburn afterburn;
   afterburn.parse_parameters(prm);
   return afterburn;

@@ -3,6 +3,7 @@
 
 #include <deal.II/grid/grid_generator.h>
 
+#include "../../set_entries.h"
 #include "gas_run.h"
 #include <gtest/gtest.h>
 
@@ -22,10 +23,7 @@ make_mesh(const std::vector<std::string> &lines,
 {
   dealii::ParameterHandler prm;
   CoarseMesh<dim>::declare_parameters(prm);
-  std::vector<Assignment> assignments;
-  for (const std::string &line : lines)
-    assignments.push_back(parse_override(line));
-  apply_assignments(assignments, prm);
+  set_entries(prm, lines);
   CoarseMesh<dim> coarse;
   coarse.parse_parameters(prm);
   auto mesh = std::make_unique<LeafMesh<dim>>(MPI_COMM_WORLD);

@@ -5,6 +5,7 @@
 #include <contrecoup/io/file/vtk_input.h>
 #include <contrecoup/numerics/injury/load_injury.h>
 
+#include "../../set_entries.h"
 #include "gas_run.h"
 #include <gtest/gtest.h>
 
@@ -33,10 +34,7 @@ public:
   {
     dealii::ParameterHandler prm;
     Recorders<dim>::declare_parameters(prm);
-    std::vector<Assignment> assignments;
-    for (const std::string &line : lines)
-      assignments.push_back(parse_override(line));
-    apply_assignments(assignments, prm);
+    set_entries(prm, lines);
     rasters.parse_parameters(prm, run);
   }
 

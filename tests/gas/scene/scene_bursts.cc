@@ -6,6 +6,7 @@
 #include <contrecoup/gas/scene/gas_scene.h>
 #include <contrecoup/gas/scene/scene_bursts.h>
 
+#include "../../set_entries.h"
 #include <gtest/gtest.h>
 
 using namespace contrecoup;
@@ -41,10 +42,7 @@ struct HalfBox
                                     "Boundaries/z low=wall"};
     all.insert(all.end(), lines.begin(), lines.end());
     all.insert(all.end(), more.begin(), more.end());
-    std::vector<Assignment> assignments;
-    for (const std::string &line : all)
-      assignments.push_back(parse_override(line));
-    apply_assignments(assignments, prm);
+    set_entries(prm, all);
     scene.parse_parameters(prm);
     remarks = remarks_on_bursts(prm, scene.material, scene.coarse_mesh);
   }

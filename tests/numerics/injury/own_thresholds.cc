@@ -6,6 +6,7 @@
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/numerics/injury/own_thresholds.h>
 
+#include "../../set_entries.h"
 #include <gtest/gtest.h>
 
 using namespace contrecoup;
@@ -20,10 +21,7 @@ OwnThresholds read(const std::vector<std::string> &entries)
     const Section section(prm, "Injury");
     OwnThresholds::declare_parameters(prm);
   }
-  std::vector<Assignment> assignments;
-  for (const std::string &entry : entries)
-    assignments.push_back(parse_override("Injury/Measure " + entry));
-  apply_assignments(assignments, prm);
+  set_entries(prm, entries, "Injury/Measure ");
   OwnThresholds own;
   own.parse_parameters(prm, "Injury");
   return own;

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/base/parameters/parameter_tree.h>
+
+#include <string>
+#include <vector>
+
+namespace contrecoup
+{
+/// Sets entries as "--set" does: "Section/Entry=value", each behind @p prefix.
+inline void set_entries(dealii::ParameterHandler &prm,
+                        const std::vector<std::string> &entries,
+                        const std::string &prefix = "")
+{
+  std::vector<Assignment> assignments;
+  for (const std::string &entry : entries)
+    assignments.push_back(parse_override(prefix + entry));
+  apply_assignments(assignments, prm);
+}
+} // namespace contrecoup
