@@ -20,19 +20,14 @@ TEST(SceneCosts, HaveTheMemoryThatForecastsKeep)
   std::vector<char> kept;
   std::vector<SceneTask> tasks;
   const auto add = [&](const std::string &name, const double memory) {
+    const auto runner = [&kept,
+                         memory](const auto &, double, CostEstimate &cost) {
+      kept.assign(kept.size() + 20'000'000, 1);
+      cost.memory = memory;
+      return Failure();
+    };
     tasks.emplace_back(
-      name,
-      name,
-      folder.path(),
-      "",
-      io::FileNames(),
-      std::vector<std::string>(),
-      false,
-      [&kept, memory](const auto &, double, CostEstimate &cost) {
-        kept.assign(kept.size() + 20'000'000, 1);
-        cost.memory = memory;
-        return Failure();
-      });
+      TaskDescription{name, name, folder.path(), "", {}, {}, runner});
   };
   add("anatomy", 1.);
   add("blast", 0.);

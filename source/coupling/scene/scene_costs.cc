@@ -23,7 +23,7 @@ namespace
   std::optional<CostEstimate>
   cost_of(SceneTask &task, const bool with_trials, Collective &collective)
   {
-    if (!task.is_optional())
+    if (!task.description().is_optional)
       return task.check(with_trials ? 1. : 0., collective);
     try
     {
@@ -60,7 +60,7 @@ StageCosts estimate_costs(std::vector<SceneTask> &tasks,
   {
     if (task.is_finished())
       continue;
-    const LogPart part("forecast", task.is_optional());
+    const LogPart part("forecast", task.description().is_optional);
     log_line("stage " + task.name() + ":");
     const std::optional<CostEstimate> cost =
       cost_of(task, with_trials, collective);

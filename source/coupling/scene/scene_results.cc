@@ -154,7 +154,7 @@ namespace
           if (item.entry.compare(0, section.size(), section) == 0)
           {
             const std::string entry = item.entry.substr(section.size());
-            const std::string name = task.named(entry);
+            const std::string name = task.description().words(entry);
             if (name != entry)
               item.entry = name;
           }

@@ -79,7 +79,7 @@ void SceneRun::write_forecast(const StageCosts &costs) const
   for (const SceneTask &task : tasks_)
   {
     std::vector<std::string> outputs =
-      io::file_outputs(task.files(), task.tables());
+      io::file_outputs(task.description().files, task.description().tables);
     const std::vector<std::string> of_summary =
       task.name() == "anatomy" ? std::vector<std::string>{"*"}
                                : io::summary_outputs();
@@ -151,7 +151,7 @@ void SceneRun::forecast()
   // A refusal by a later stage is better known before the first one.
   const Silence silence(is_first_rank_);
   for (SceneTask &task : tasks_)
-    if (!task.is_finished() && !task.is_optional())
+    if (!task.is_finished() && !task.description().is_optional)
       task.check(0., collective_);
 }
 
@@ -327,7 +327,7 @@ void SceneRun::start()
 
 SceneRun::TaskEnd SceneRun::run(SceneTask &task)
 {
-  const LogPart part(task.name(), task.is_optional());
+  const LogPart part(task.name(), task.description().is_optional);
   Log::instance().status("begins");
   TaskEnd end;
   try
@@ -336,13 +336,13 @@ SceneRun::TaskEnd SceneRun::run(SceneTask &task)
   }
   catch (const InputError &)
   {
-    if (!task.is_optional())
+    if (!task.description().is_optional)
       throw;
     end.failure = to_failure(std::current_exception(), ExitCode::bad_input);
   }
   catch (const NumericsError &)
   {
-    if (!task.is_optional())
+    if (!task.description().is_optional)
       throw;
     end.failure =
       to_failure(std::current_exception(), ExitCode::numerics_failed);
@@ -362,9 +362,10 @@ bool SceneRun::run_tasks()
       reused_.push_back(task.name());
       continue;
     }
-    log_line(
-      "stage " + task.name() +
-      (task.is_optional() ? ", for the estimate of the error alone:" : ":"));
+    log_line("stage " + task.name() +
+             (task.description().is_optional
+                ? ", for the estimate of the error alone:"
+                : ":"));
     const TaskEnd end = run(task);
     if (end.failure.code != ExitCode::done)
     {
@@ -383,7 +384,7 @@ bool SceneRun::run_tasks()
                              duration(record.wall_seconds) + ", " +
                              bytes(record.peak_memory) + " of memory, " +
                              bytes(record.disk) + " on disk";
-    task.is_optional() ? log_line(took) : show_line(took);
+    task.description().is_optional ? log_line(took) : show_line(took);
   }
   return true;
 }

@@ -32,7 +32,7 @@ using dealii::ParameterHandler;
 namespace
 {
   /// Runner of a solver.
-  SceneTask::Runner runner(const io::ApplicationDescription &application)
+  TaskDescription::Runner runner(const io::ApplicationDescription &application)
   {
     return [application](const std::vector<std::string> &arguments,
                          const double trial_share,
@@ -49,7 +49,7 @@ namespace
 
 
   /// Runner of `anatomy`, which runs on the first rank.
-  SceneTask::Runner anatomy_runner(Collective &collective)
+  TaskDescription::Runner anatomy_runner(Collective &collective)
   {
     return [&collective](const std::vector<std::string> &arguments,
                          const double /*trial_share*/,
@@ -133,28 +133,25 @@ namespace
     SceneTask anatomy() const
     {
       const TaskText file = anatomy_text();
-      SceneTask task("anatomy",
-                     "anatomy",
-                     folder_,
-                     file.text,
-                     anatomy_files(),
-                     {},
-                     false,
-                     anatomy_runner(collective_));
-      task.set_words(file.words);
-      return task;
+      return SceneTask({"anatomy",
+                        "anatomy",
+                        folder_,
+                        file.text,
+                        file.words,
+                        anatomy_files(),
+                        anatomy_runner(collective_)});
     }
 
     SceneTask blast() const
     {
-      return blast("blast", {});
+      return SceneTask(blast("blast", {}));
     }
 
     SceneTask coarser_blast() const
     {
-      SceneTask task = blast("coarser_blast", CoarserRun::blast);
-      task.set_optional();
-      return task;
+      TaskDescription task = blast("coarser_blast", CoarserRun::blast);
+      task.is_optional = true;
+      return SceneTask(task);
     }
 
     /// @throws InputError for contradictions between entries of stages
@@ -218,7 +215,8 @@ namespace
     /// @param blast task that records the loads
     SceneTask biomechanics(const SceneTask &blast) const
     {
-      return biomechanics("biomechanics", {}, blast.folder(), {blast.key()});
+      return SceneTask(
+        biomechanics("biomechanics", {}, blast.folder(), {blast.key()}));
     }
 
     /// @param blast coarser blast that records the loads
@@ -226,15 +224,15 @@ namespace
     SceneTask coarser_biomechanics(const SceneTask &blast,
                                    const SceneTask &finer) const
     {
-      SceneTask task = biomechanics("coarser_biomechanics",
-                                    CoarserRun::biomechanics,
-                                    blast.folder(),
-                                    {blast.key(), finer.key()});
-      task.set_optional();
-      task.set_late_arguments([folder = finer.folder()]() {
+      TaskDescription task = biomechanics("coarser_biomechanics",
+                                          CoarserRun::biomechanics,
+                                          blast.folder(),
+                                          {blast.key(), finer.key()});
+      task.is_optional = true;
+      task.find_late_arguments = [folder = finer.folder()]() {
         return CoarserRun::same_correction_of_loads(folder);
-      });
-      return task;
+      };
+      return SceneTask(task);
     }
 
   private:
@@ -299,24 +297,25 @@ namespace
                      {parse_override("Loads/Recorded/File=of the blast")});
     }
 
-    SceneTask blast(const std::string &name, const EntryChanges &changes) const
+    TaskDescription blast(const std::string &name,
+                          const EntryChanges &changes) const
     {
       return solver(name, blast_application(), blast_text(changes), {});
     }
 
-    SceneTask biomechanics(const std::string &name,
-                           const EntryChanges &changes,
-                           const std::string &blast,
-                           const std::vector<std::string> &upstream) const
+    TaskDescription biomechanics(const std::string &name,
+                                 const EntryChanges &changes,
+                                 const std::string &blast,
+                                 const std::vector<std::string> &upstream) const
     {
-      SceneTask task = solver(
+      TaskDescription task = solver(
         name, biomechanics_application(), biomechanics_text(changes), upstream);
       const std::filesystem::path folder = std::filesystem::absolute(blast);
-      task.set_arguments(
-        {"--set", "Loads/Recorded/File=" + (folder / "loads.h5").string()});
-      task.set_check_arguments(expected_load(scene_.layout()));
-      task.rename("Loads/Recorded/File",
-                  "the loads of stage " + folder.filename().string());
+      task.arguments = {
+        "--set", "Loads/Recorded/File=" + (folder / "loads.h5").string()};
+      task.check_arguments = expected_load(scene_.layout());
+      task.words.rename("Loads/Recorded/File",
+                        "the loads of stage " + folder.filename().string());
       return task;
     }
 
@@ -336,27 +335,25 @@ namespace
         given);
     }
 
-    SceneTask solver(const std::string &name,
-                     const io::ApplicationDescription &application,
-                     const TaskText &file,
-                     const std::vector<std::string> &upstream) const
+    TaskDescription solver(const std::string &name,
+                           const io::ApplicationDescription &application,
+                           const TaskText &file,
+                           const std::vector<std::string> &upstream) const
     {
       ParameterHandler defaults, prm;
       declare(application, defaults);
       declare(application, prm);
       apply_assignments(file.entries, prm);
-      SceneTask task(name,
-                     application.name,
-                     folder_,
-                     file.text,
-                     io::OutputFolder::run_files() +
-                       application.files(defaults),
-                     upstream,
-                     true,
-                     runner(application));
-      task.set_words(file.words);
-      task.set_tables(application.tables(prm));
-      return task;
+      return {name,
+              application.name,
+              folder_,
+              file.text,
+              file.words,
+              io::OutputFolder::run_files() + application.files(defaults),
+              runner(application),
+              upstream,
+              application.tables(prm),
+              true};
     }
 
     const PlannedScene &scene_;

@@ -84,34 +84,24 @@ std::string short_key(const std::string &text)
 #pragma GCC diagnostic pop
 
 
-SceneTask::SceneTask(const std::string &name,
-                     const std::string &application,
-                     const std::string &scene_folder,
-                     const std::string &text,
-                     const io::FileNames &names,
-                     const std::vector<std::string> &upstream,
-                     const bool can_resume,
-                     const Runner &runner)
-  : name_(name)
-  , files_(scene_folder, name)
-  , text_(text)
-  , names_(names)
-  , can_resume_(can_resume)
-  , runner_(runner)
+SceneTask::SceneTask(const TaskDescription &description)
+  : description_(description)
+  , files_(description.scene_folder, description.name)
 {
-  record_.key = short_key(source_digest(application) + "\n" + text +
-                          contents_of_files(text) + join(upstream, "\n"));
+  record_.key = short_key(
+    source_digest(description.application) + "\n" + description.text +
+    contents_of_files(description.text) + join(description.upstream, "\n"));
 }
 
 
 void SceneTask::prepare() const
 {
   files_.complete_replace();
-  const auto foreign = io::Manifest(folder()).foreign_files(names_);
+  const auto foreign = io::Manifest(folder()).foreign_files(description_.files);
   if (!foreign.empty())
     throw InputError("\"" + folder() + "/" + foreign.front() +
                      "\" was written by no run of Contrecoup, and stage " +
-                     name_ + " would overwrite it; give another --output");
+                     name() + " would overwrite it; give another --output");
 }
 
 
@@ -130,7 +120,7 @@ SceneTask::Status SceneTask::find_status()
     status.is_finished = damage.empty() && now.key == key;
     status.has_other_key = damage.empty() && now.key != key;
     if (!damage.empty())
-      show_line("stage " + name_ + " has to be made anew: " + damage);
+      show_line("stage " + name() + " has to be made anew: " + damage);
   }
   status.uses_new_folder = was_finished;
   const TaskRecord &begun = was_finished ? beside : now;
@@ -181,9 +171,9 @@ Failure SceneTask::call(const std::vector<std::string> &arguments,
                         const double trial_share,
                         CostEstimate &cost) const
 {
-  const LogWords in_log(words_);
-  Failure failure = runner_(arguments, trial_share, cost);
-  failure.message = words_(failure.message);
+  const LogWords in_log(description_.words);
+  Failure failure = description_.runner(arguments, trial_share, cost);
+  failure.message = description_.words(failure.message);
   return failure;
 }
 
@@ -193,16 +183,19 @@ CostEstimate SceneTask::check(const double trial_share, Collective &collective)
   // Each rank uses its own folder: a folder visible to all ranks may not
   // exist.
   const io::TemporaryFolder temporary;
-  const std::string path = temporary.path() + "/" + name_ + ".prm";
-  collective.run(
-    [&]() { io::write_file(path, [&](std::ostream &out) { out << text_; }); });
+  const std::string path = temporary.path() + "/" + name() + ".prm";
+  collective.run([&]() {
+    io::write_file(path, [&](std::ostream &out) { out << description_.text; });
+  });
   CostEstimate cost;
   std::vector<std::string> words = {
-    name_, path, "--output", folder(), "--check"};
-  words.insert(words.end(), check_arguments_.begin(), check_arguments_.end());
+    name(), path, "--output", folder(), "--check"};
+  words.insert(words.end(),
+               description_.check_arguments.begin(),
+               description_.check_arguments.end());
   const Failure failure = call(words, trial_share, cost);
   if (failure.code != ExitCode::done)
-    throw_failure({failure.code, "stage " + name_ + ": " + failure.message});
+    throw_failure({failure.code, "stage " + name() + ": " + failure.message});
   return cost;
 }
 
@@ -217,7 +210,7 @@ void SceneTask::begin(const bool goes_on)
   }
   record_.status = "started";
   io::write_file(files_.parameter_file(status_.uses_new_folder),
-                 [&](std::ostream &out) { out << text_; });
+                 [&](std::ostream &out) { out << description_.text; });
   files_.write_record(status_.uses_new_folder, record_);
 }
 
@@ -225,7 +218,7 @@ void SceneTask::begin(const bool goes_on)
 void SceneTask::end(const double wall_seconds)
 {
   // A stopped tool has no summary.
-  if (is_stop(stop_) && !can_resume_)
+  if (is_stop(stop_) && !description_.can_resume)
     record_.status = "stopped";
   else
     take_summary(wall_seconds);
@@ -240,10 +233,10 @@ bool SceneTask::run(const bool resume, Collective &collective)
 {
   if (is_finished())
     return true;
-  const bool goes_on =
-    resume && can_resume_ && status_.has_checkpoint && status_.is_started;
+  const bool goes_on = resume && description_.can_resume &&
+                       status_.has_checkpoint && status_.is_started;
   std::vector<std::string> words = {
-    name_,
+    name(),
     files_.parameter_file(status_.uses_new_folder),
     "--output",
     files_.folder(status_.uses_new_folder),
@@ -252,12 +245,12 @@ bool SceneTask::run(const bool resume, Collective &collective)
   collective.run([&]() {
     if (!is_first_rank())
       return;
-    if (find_late_arguments_)
-      late = find_late_arguments_();
+    if (description_.find_late_arguments)
+      late = description_.find_late_arguments();
     begin(goes_on);
   });
   late = dealii::Utilities::MPI::broadcast(collective.communicator(), late, 0);
-  for (const auto *list : {&arguments_, &late})
+  for (const auto *list : {&description_.arguments, &late})
     words.insert(words.end(), list->begin(), list->end());
   const auto begin = std::chrono::steady_clock::now();
   CostEstimate unused;
@@ -268,7 +261,7 @@ bool SceneTask::run(const bool resume, Collective &collective)
   if (is_stop(failure))
     stop_ = failure;
   else if (failure.code != ExitCode::done)
-    throw_failure({failure.code, "stage " + name_ + ": " + failure.message});
+    throw_failure({failure.code, "stage " + name() + ": " + failure.message});
   const unsigned int finished = collective.run_with_flags([&]() {
     if (is_first_rank())
       end(wall_seconds);

@@ -14,6 +14,35 @@
 
 namespace contrecoup::coupling
 {
+/// What a task of a scene runs, and how.
+struct TaskDescription
+{
+  /// Runs the application with the given arguments; --check stores its cost
+  /// estimate, for which it spends this part of the usual time on trial runs.
+  /// Collective.
+  using Runner = std::function<
+    Failure(const std::vector<std::string> &, double, CostEstimate &)>;
+
+  std::string name;        ///< of the task and its folder
+  std::string application; ///< see source_digest()
+  std::string scene_folder;
+  std::string text;    ///< content of the parameter file
+  SceneWords words;    ///< translates names of entries in messages
+  io::FileNames files; ///< that the application writes
+  Runner runner;
+  std::vector<std::string> upstream{}; ///< keys of tasks whose results are read
+  /// Numbers in tables, see io::ApplicationDescription::tables.
+  std::vector<std::string> tables{};
+  bool can_resume = false;  ///< whether the application has --resume
+  bool is_optional = false; ///< whether the scene is complete without the task
+  /// Further arguments of the application, "--set ..." and so on; for a check,
+  /// in place of what earlier tasks have not made yet.
+  std::vector<std::string> arguments{}, check_arguments{};
+  /// Finds more arguments in results of earlier tasks, on the first rank.
+  std::function<std::vector<std::string>()> find_late_arguments{};
+};
+
+
 /**
  * Application as a task of a scene, see TaskFiles. A task that finished
  * with the same key and whose results are unchanged is not run again.
@@ -21,12 +50,6 @@ namespace contrecoup::coupling
 class SceneTask
 {
 public:
-  /// Runs the application with the given arguments; --check stores its cost
-  /// estimate, for which it spends this part of the usual time on trial runs.
-  /// Collective.
-  using Runner = std::function<
-    Failure(const std::vector<std::string> &, double, CostEstimate &)>;
-
   /// State of the task in the scene's folder.
   struct Status
   {
@@ -40,42 +63,16 @@ public:
     bool has_checkpoint = false;
   };
 
-  /**
-   * @param name of the task and its folder
-   * @param application name of the application, see source_digest()
-   * @param text content of the parameter file
-   * @param names files that the application writes
-   * @param upstream keys of the tasks whose results this task reads
-   * @param can_resume whether the application supports --resume
-   */
-  SceneTask(const std::string &name,
-            const std::string &application,
-            const std::string &scene_folder,
-            const std::string &text,
-            const io::FileNames &names,
-            const std::vector<std::string> &upstream,
-            bool can_resume,
-            const Runner &runner);
+  explicit SceneTask(const TaskDescription &description);
+
+  const TaskDescription &description() const
+  {
+    return description_;
+  }
 
   const std::string &name() const
   {
-    return name_;
-  }
-
-  /// Names of the files in its folder.
-  const io::FileNames &files() const
-  {
-    return names_;
-  }
-
-  /// Numbers in its tables, see io::ApplicationDescription::tables.
-  const std::vector<std::string> &tables() const
-  {
-    return tables_;
-  }
-  void set_tables(const std::vector<std::string> &tables)
-  {
-    tables_ = tables;
+    return description_.name;
   }
 
   /// Folder of the results.
@@ -113,17 +110,6 @@ public:
     status_.uses_new_folder = true;
   }
 
-  /// Marks the task as one without which the scene is complete.
-  void set_optional()
-  {
-    is_optional_ = true;
-  }
-
-  bool is_optional() const
-  {
-    return is_optional_;
-  }
-
   bool is_finished() const
   {
     return status_.is_finished;
@@ -138,44 +124,6 @@ public:
   const Failure &stop() const
   {
     return stop_;
-  }
-
-  /// Sets further arguments of the application, "--set ..." and so on.
-  void set_arguments(const std::vector<std::string> &arguments)
-  {
-    arguments_ = arguments;
-  }
-
-  /// Sets how run() finds further arguments, in results of earlier tasks. The
-  /// first rank calls it.
-  void set_late_arguments(const std::function<std::vector<std::string>()> &find)
-  {
-    find_late_arguments_ = find;
-  }
-
-  /// Sets further arguments of check(), for what earlier tasks have not made
-  /// yet.
-  void set_check_arguments(const std::vector<std::string> &arguments)
-  {
-    check_arguments_ = arguments;
-  }
-
-  /// Sets the translation of entry names in the task's messages.
-  void set_words(const SceneWords &words)
-  {
-    words_ = words;
-  }
-
-  /// Translates one entry name in the task's messages.
-  void rename(const std::string &entry, const std::string &name)
-  {
-    words_.rename(entry, name);
-  }
-
-  /// Name of the task's entry in the scene.
-  std::string named(const std::string &entry) const
-  {
-    return words_(entry);
   }
 
   /// Runs --check of the application and returns its cost estimate.
@@ -203,17 +151,8 @@ private:
                double trial_share,
                CostEstimate &cost) const;
 
-  std::string name_;
-  SceneWords words_;
+  TaskDescription description_;
   TaskFiles files_;
-  std::string text_;
-  io::FileNames names_;
-  std::vector<std::string> tables_;
-  bool can_resume_;
-  bool is_optional_ = false;
-  Runner runner_;
-  std::vector<std::string> arguments_, check_arguments_;
-  std::function<std::vector<std::string>()> find_late_arguments_;
   TaskRecord record_;
   Status status_;
   Failure stop_;
