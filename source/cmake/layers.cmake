@@ -1,5 +1,5 @@
-# contrecoup_add_layer(<name> [DEPENDS <lower layer>...] [MODULES <folder>...]
-#   [ALONE <folder or source>...])
+# contrecoup_add_layer(<name> [COLD] [DEPENDS <lower layer>...]
+#   [MODULES <folder>...] [ALONE <folder or source>...])
 #
 # One shared library per layer, contrecoup_<name>, in build/lib; a program need
 # not be linked again where only the inside of a layer changes. The precompiled
@@ -7,12 +7,16 @@
 # of the modules, lowest first, or else those beside the CMakeLists.txt. The compiler
 # reads the sources of a folder as one, which halves its work; names in their unnamed
 # namespaces must differ. It reads those of ALONE one by one: kernels, whose code must
-# not depend on what else is there, and parts of one class template.
+# not depend on what else is there, and parts of one class template. A COLD layer has
+# no kernel, and is optimised less.
 function(contrecoup_add_layer name)
-  cmake_parse_arguments(ARG "" "" "DEPENDS;MODULES;ALONE" ${ARGN})
+  cmake_parse_arguments(ARG "COLD" "" "DEPENDS;MODULES;ALONE" ${ARGN})
   set(target contrecoup_${name})
   add_library(${target} SHARED)
   contrecoup_setup_target(${target})
+  if(ARG_COLD)
+    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O2>)
+  endif()
   # Without the macro that CMake defines in each shared library: sources that
   # have another one could not take the precompiled header.
   set_target_properties(${target} PROPERTIES DEFINE_SYMBOL ""
@@ -39,11 +43,18 @@ endfunction()
 function(contrecoup_add_sources target folder alone)
   file(GLOB _sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*.cc)
   target_sources(${target} PRIVATE ${_sources})
-  if(folder IN_LIST alone)
+  list(TRANSFORM alone PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
+  foreach(_source ${_sources})
+    if(_source IN_LIST alone OR ${CMAKE_CURRENT_SOURCE_DIR}/${folder} IN_LIST alone)
+      list(REMOVE_ITEM _sources ${_source})
+      set_property(SOURCE ${_source} TARGET_DIRECTORY ${target}
+        APPEND PROPERTY COMPILE_OPTIONS
+        "$<$<CONFIG:Release>:${CONTRECOUP_KERNEL_OPTIONS}>")
+    endif()
+  endforeach()
+  if(NOT _sources)
     return()
   endif()
-  list(TRANSFORM alone PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
-  list(REMOVE_ITEM _sources ${alone})
   get_filename_component(_group ${CMAKE_CURRENT_SOURCE_DIR}/${folder} NAME)
   set_source_files_properties(${_sources} TARGET_DIRECTORY ${target}
     PROPERTIES UNITY_GROUP ${_group})
