@@ -101,13 +101,15 @@ void BlastProbes<dim>::inherit(const KnownRecord<dim> &record)
 template <int dim>
 void BlastProbes<dim>::expect_smearing(const GasSnapshot<dim> &gas)
 {
-  // In this time any front is some cells farther.
-  constexpr double diagonals = 1.5, slowest_front = 330.; // [m/s]
-  const double until = gas.time + diagonals / slowest_front *
-                                    dealii::GridTools::minimal_cell_diameter(
-                                      gas.mesh.triangulation());
-  for (ExposureRecord &exposure : exposures_)
-    exposure.waves.smeared_until = until;
+  constexpr double diagonals = 1.5, sound_speed = 330.; // [m/s]
+  const double distance = diagonals * dealii::GridTools::minimal_cell_diameter(
+                                        gas.mesh.triangulation());
+  for (std::size_t i = 0; i < exposures_.size(); ++i)
+    if (const double peak = records_[i].peak; peak > 0.)
+      // Until the front has passed these cells (Rankine-Hugoniot, gamma 1.4).
+      exposures_[i].waves.smeared_until =
+        gas.time +
+        distance / (sound_speed * std::sqrt(1. + 6. / 7. * peak / ambient_[i]));
 }
 
 

@@ -223,12 +223,20 @@ namespace
   air_rows(const AirBlast &air, const double body_mass, const bool with_chest)
   {
     std::string rows;
-    const auto values = air_injury_values(air, body_mass);
+    auto values = air_injury_values(air, body_mass);
     auto definitions = air_injury_definitions(body_mass);
     if (values[4] <= simple)
-      for (const std::size_t k : {0, 1})
-        definitions[k] += "; not known by it, as the wave is not simple: see "
-                          "first_phase_fraction";
+    {
+      const std::string reason =
+        ", as the wave is not simple: see first_phase_fraction";
+      const double bound = mapped_injury_values(air, body_mass)[1];
+      const bool is_bounded = bound > values[1];
+      values[1] = is_bounded ? bound : values[1];
+      definitions[0] += "; not known by it" + reason;
+      definitions[1] +=
+        (is_bounded ? "; that of an endless phase" : "; not known by it") +
+        reason;
+    }
     for (std::size_t k = 0; k < values.size(); ++k)
     {
       const auto &[name, unit] = air_injury_quantities[k];

@@ -405,7 +405,8 @@ TEST(GaugeTables, KnowLungsBesideProductsWhereTheirDurationDecidesNothing)
 
 
 // Maps know the lungs where the phase is not over or the wave not simple, but
-// where even an endless phase would kill nobody; a table has no row of them.
+// where even an endless phase would kill nobody; a table has no row of them
+// where the phase is not over, and otherwise says what it is.
 TEST(GaugeTables, KnowLungsOfAnEndlessPhaseThatKillsNobody)
 {
   for (const double peak : {50e3, 200e3, 10e6})
@@ -427,9 +428,12 @@ TEST(GaugeTables, KnowLungsOfAnEndlessPhaseThatKillsNobody)
         EXPECT_EQ(mapped, values[1]);
       else
         EXPECT_TRUE(std::isnan(mapped)) << peak << " " << is_cut;
-      EXPECT_EQ(air_injury_table({air}, 70., false).find("lung") ==
-                  std::string::npos,
-                is_cut);
+      const std::string table = air_injury_table({air}, 70., false);
+      EXPECT_EQ(table.find("lung") == std::string::npos, is_cut);
+      EXPECT_EQ(table.find("lung_lethality,here," + exact(mapped)) !=
+                    std::string::npos &&
+                  table.find("an endless phase") != std::string::npos,
+                !is_cut && peak < 100e3);
       // A wave that is simple needs no bound.
       air.exposure.waves.first_impulse = 0.76 * 300.;
       if (!is_cut)

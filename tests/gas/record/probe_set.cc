@@ -10,6 +10,7 @@
 
 #include <cmath>
 #include <map>
+#include <optional>
 #include <sstream>
 
 using namespace contrecoup;
@@ -110,6 +111,36 @@ TEST(ProbeSet, TellsTheFirstProbesWithoutAReference)
   EXPECT_NE(lines[0].find("place [m]"), std::string::npos);
   EXPECT_NE(lines[1].find("0.25, 0  "), std::string::npos) << lines[1];
   EXPECT_EQ(lines[13], "and 2 more in summary.json");
+}
+
+
+// A front that has arrived when larger cells take over falls and rises once
+// more; where it arrives afterwards, the next rise is another wave.
+TEST(ProbeSet, ExpectsThatOnlyFrontsThatHaveArrivedAreSmeared)
+{
+  GasRun<2> run({"Domain/Coarse leaves=2, 2", "Domain/Upper corner=3, 3"},
+                MPI_COMM_SELF);
+  const auto no_record = [](const dealii::Point<2> &) {
+    return std::optional<BlastRecord<double>>();
+  };
+  const std::vector<double> rises = {200e3, 150e3, 100e3, 150e3, 80e3};
+  for (const bool has_arrived : {false, true})
+  {
+    ProbeSet<2> probes =
+      record(run, {0., has_arrived ? 150e3 : 0., has_arrived ? 100e3 : 0.});
+    probes.inherit(no_record, run.snapshot());
+    GasState<2> state;
+    state.density = 1.2;
+    for (std::size_t i = 0; i < rises.size(); ++i)
+    {
+      state.pressure = 101325. + rises[i];
+      probes.take({state}, 1e-5 * (i + 4));
+    }
+    std::size_t n_later = 0;
+    for (const NamedValue &value : probes.measures(run.reference))
+      n_later += value.name == "probe_1_later_peak_overpressure";
+    EXPECT_EQ(n_later, has_arrived ? 0U : 1U);
+  }
 }
 
 

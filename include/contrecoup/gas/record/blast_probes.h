@@ -70,7 +70,8 @@ public:
   /// Continues the records of an earlier stage.
   void inherit(const KnownRecord<dim> &record);
 
-  /// Expects that cells other than those before smear the fronts. Collective.
+  /// Expects that cells other than those before smear the fronts that have
+  /// reached a probe. Collective.
   void expect_smearing(const GasSnapshot<dim> &gas);
 
   Exposure exposure() const

@@ -115,7 +115,8 @@ std::string words_of_unknown_lungs(const std::string &places);
  * without others.
  *
  * The duration of the load on the lungs stands there where it is longer than
- * the first positive phase.
+ * the first positive phase; the probability of death is mapped_injury_values()'
+ * of a wave that is not simple where that is known.
  *
  * @param with_chest whether the motion of the chest was recorded; then the
  * table has the chest wall velocity where it is known, and the peak
