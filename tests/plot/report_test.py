@@ -42,10 +42,10 @@ from plot.figures import (body_cuts, body_loads, body_views,  # noqa: E402
 from plot.readers import fields, loads, tables  # noqa: E402
 from plot.readers.scene import Scene  # noqa: E402
 from plot.report import (accuracy, blast_sections,  # noqa: E402
-                         body_sections, error_estimate, headline, injury_table,
-                         injury_thresholds, least_phases, load_impulses,
-                         page as html_page, paper,
-                         reflections, scene_sections, summary, verdict)
+                         body_sections, comparison, error_estimate, headline,
+                         injury_table, injury_thresholds, least_phases,
+                         load_impulses, page as html_page, paper, reflections,
+                         reservations, scene_sections, summary, verdict)
 
 
 class Columns(dict):
@@ -266,7 +266,7 @@ class ReportTest(unittest.TestCase):
         limits stay limits."""
         self.assertEqual(html_page.csv_text(
             ("a", "b"), [("load", "0.170"), ("share", html_page.percent(0.5)),
-                         ("bound", html_page.at_least(2.5, True))]),
+                         ("bound", html_page.limit(html_page.number(2.5)))]),
             "a,b,unit of b,limit of b\nload,0.170,,\nshare,50.0,%,\n"
             "bound,2.5,,≥\n")
 
@@ -488,7 +488,7 @@ class ReportTest(unittest.TestCase):
             scene = types.SimpleNamespace(air_injury=lambda f=fraction: {
                 ("first_phase_fraction", "probe 1"):
                 types.SimpleNamespace(value=f)})
-            said = " ".join(headline._not_simple(scene, [load]))
+            said = " ".join(reservations._not_simple(scene, [load]))
             self.assertEqual(bool(said), bool(told))
             self.assertIn(told, said.replace("\xa0", " "))
 
@@ -504,10 +504,37 @@ class ReportTest(unittest.TestCase):
                     arrived=lambda: np.array([True, True]),
                     measure=lambda _: np.array([a, 2e-3]),
                     centroids=np.array([[0., 0., 0.04], [0., 0., 1.]])))
-            said = " ".join(headline._runs_ahead(scene)).replace("\xa0", " ")
+            said = " ".join(reservations._runs_ahead(scene)).replace("\xa0", " ")
             self.assertEqual(bool(said), told)
             self.assertIn("first after 1.30 ms, 0.04 m above the ground, where "
                           "the tables have 1.82 ms" if told else "", said)
+
+    def test_late_tension(self):
+        """A brain that fluid ruptures in long after the wave has come."""
+        time = np.linspace(0., 12e-3, 1201)
+        judged = [types.SimpleNamespace(
+            name="injury_intracranial_pressure_lowest", exceeded=lambda: True)]
+        for lowest, told in ((5e-3, ""), (8e-3, "8.00 ms after the ignition, 3.9 "
+                                          "ms after the wave has reached the "
+                                          "brain: it swings."),
+                             (11e-3, "may fall further after the end of the run")):
+            columns = {"time": time, "brain_pressure_5": np.interp(
+                time, [4e-3, 4.1e-3, 4.2e-3, lowest - 1e-4, lowest, lowest + 1e-4],
+                [0., -40e3, 0., 0., -130e3, 0.])}
+            scene = types.SimpleNamespace(biomechanics=types.SimpleNamespace(
+                table=lambda _, of=columns: of))
+            said = " ".join(reservations._late_tension(scene, judged))
+            self.assertEqual(bool(said), bool(told))
+            self.assertIn(told, said.replace("\xa0", " "))
+
+    def test_wave_along_the_body(self):
+        """The tables' load on lungs is of somebody who stands."""
+        scene = Scene(self.whole)
+        judged = injury_table.judge(scene)
+        self.assertEqual(reservations._along_the_body(scene, judged), [])
+        scene.facts["person"]["side_to_charge"] = "feet"
+        self.assertIn("at the feet", reservations._along_the_body(
+            scene, judged)[0])
 
     def test_eardrums_at_the_nearer_ear(self):
         """Their row has the tables at their distance, in page and file."""
@@ -517,7 +544,7 @@ class ReportTest(unittest.TestCase):
             scene.facts["tables"]["ears"] = {
                 "distance": there, "in_the_open": {"eardrum_rupture": 0.69},
                 "before_a_wall": {"eardrum_rupture": 0.99}}
-            rows = [row for row in headline._compared(
+            rows = [row for row in comparison.compared(
                 scene, injury_table.judge(scene)) if "nearer ear" in row[0]]
             self.assertEqual(len(rows), count)
         self.assertIn("69 % (99 % before a wall)",
@@ -532,11 +559,11 @@ class ReportTest(unittest.TestCase):
                                         parameter=lambda _: [78.5]),
             air_injury=lambda: {("lung_load_duration", "probe 1"):
                                 types.SimpleNamespace(value=1.33e-3)})
-        self.expect(headline._long_load(scene, [load])[0].replace(
+        self.expect(reservations._long_load(scene, [load])[0].replace(
             "\xa0", " "), "over 1.33 ms, to the end of a later phase",
                     "first phase of 0.472 ms it is 0.209 instead of 0.562")
         scene.air_injury = dict
-        self.assertEqual(headline._long_load(scene, [load]), [])
+        self.assertEqual(reservations._long_load(scene, [load]), [])
 
     def test_first_swing(self):
         """Its extreme, not where it begins."""
@@ -555,10 +582,10 @@ class ReportTest(unittest.TestCase):
         for azimuth, off in ((0., ""), (-100., ""), (135., "45°"),
                              (-28., "28°"), (-170., "")):
             scene.facts["person"]["charge_azimuth"] = azimuth
-            told = " ".join(headline._askew(scene, judged))
+            told = " ".join(reservations._askew(scene, judged))
             self.assertEqual(bool(told), bool(off), azimuth)
             self.assertIn(off, told)
-        self.assertEqual(headline._askew(scene, []), [])
+        self.assertEqual(reservations._askew(scene, []), [])
         # Lungs that none of them finds injured are not known to be sound.
         for azimuth in (0., 135.):
             scene.facts["person"]["charge_azimuth"] = azimuth
@@ -670,13 +697,13 @@ class ReportTest(unittest.TestCase):
                 {"name": name, "unit": "Pa", "run": 2., "tables": 3.}
                 for name in ("peak_overpressure", "impulse")]
             self.assertEqual(
-                [row[1].startswith("≥") for row in headline._compared(scene)],
+                [row[1].startswith("≥") for row in comparison.compared(scene)],
                 [False, bool(known)])
             for row in scene.facts["table_comparison"]:
                 row.update(name="reflected_" + row["name"],
                            cut_off=row["name"] == "impulse")
             self.assertEqual(
-                [row[1].startswith("≥") for row in headline._compared(scene)],
+                [row[1].startswith("≥") for row in comparison.compared(scene)],
                 [False, True])
         # Probes have no difference that would be that of the run's end.
         figures = {f"probe_{number}_{kind}{name}": 2. + (kind == "")
@@ -755,7 +782,7 @@ class ReportTest(unittest.TestCase):
                             ("0.24", "ratio of energies")):
             scene.facts["plan"] = [{"item": "model_bias_impulse",
                                     "estimate": bias}]
-            told = headline._tables(scene, injury_table.judge(scene))[0]
+            told = reservations._tables(scene, injury_table.judge(scene))[0]
             self.expect(told.replace("\xa0", " "), words)
             self.assertEqual("ratio of energies" in told, "ratio" in words)
         # The run ends before the positive phase does.
@@ -908,9 +935,11 @@ class ReportTest(unittest.TestCase):
 
     def test_what_follows_from_a_lower_limit(self):
         """The value of a coarser run that ends as early, and probabilities."""
+        blasts = [types.SimpleNamespace(found=lambda *_, of=skin: of)
+                  for skin in (0.8, 1.)]
         scene = types.SimpleNamespace(
-            coarser=True, asks_for_loads=lambda: False,
-            has_own_mesh=lambda: False)
+            coarser=types.SimpleNamespace(blast=blasts[0]), blast=blasts[1],
+            asks_for_loads=lambda: False, has_own_mesh=lambda: False)
         for is_cut, sign in ((True, "≥ "), (False, "")):
             hic, csdm = (injury_table.Judged(
                 name, value, "-", injury_thresholds.KNOWN[name], 0.36, "",
@@ -929,6 +958,7 @@ class ReportTest(unittest.TestCase):
                 "\u00a0", " ")
             for words in ("33.8<", "251<", "0 %<", "0 % in the coarser run"):
                 self.assertIn(f">{sign}{words}", rows)
+            self.assertIn("Its gas has 80 % of the skin", rows)
 
     def test_error_that_is_unknown(self):
         """The answer says of which measures, and why."""
@@ -969,7 +999,7 @@ class ReportTest(unittest.TestCase):
                 list_of=lambda _: rows, facts={}, coarser=object(),
                 table_answer=lambda *_: (None, None), loads=lambda: None,
                 fact=lambda _: None)
-            return headline._tables(scene, [])[0].replace("\xa0", " ")
+            return reservations._tables(scene, [])[0].replace("\xa0", " ")
         peak, load = row("peak_overpressure", 0.1), row("lung_exposure", None)
         self.assertIn("by more than the errors of both;", told(peak))
         self.assertIn("by more than the error of the tables, while that of the "
@@ -1140,13 +1170,13 @@ class ReportTest(unittest.TestCase):
         scene.facts["table_comparison"].append(
             {"name": "lung_exposure", "unit": "-", "run": 2., "run_error": 0.1,
              "tables": 3., "differs": False})
-        rows = {row[0]: row[1] for row in headline._compared(scene, [load])}
+        rows = {row[0]: row[1] for row in comparison.compared(scene, [load])}
         self.assertEqual([name for name, run in rows.items()
                           if ", least " in run],
-                         ["duration", headline.COMPARED["lung_exposure"]])
+                         ["duration", comparison.COMPARED["lung_exposure"]])
         self.assertIn(", least 1.00\xa0ms", rows["duration"])
         self.assertIn(f", least {low:.3g}",
-                      rows[headline.COMPARED["lung_exposure"]])
+                      rows[comparison.COMPARED["lung_exposure"]])
         _, explaining, note = told(20.)
         self.assertEqual(explaining, "the second wave")
         self.assertIn("own second shock, which the back has at the same time",
@@ -1778,7 +1808,7 @@ class ReportTest(unittest.TestCase):
                 "probe_beside_body": [0.289412, 0.5362, 0.3],
                 "audit": [row | {"quantity": "first reflection from an open "
                                  f"side at the probe at {place} m"}]}
-            limits = headline._limits(scene)
+            limits = reservations._limits(scene)
             self.assertEqual(reflections.open_sides_disturb(scene),
                              bool(limits))
             return limits
@@ -1795,11 +1825,11 @@ class ReportTest(unittest.TestCase):
         row = {"quantity": "cells", "estimate": "6.6", "found": "unknown",
                "limit": "at least 10", "holds": False}
         scene = types.SimpleNamespace(list_of=lambda _: [row])
-        self.assertEqual(headline._limits(scene), [
+        self.assertEqual(reservations._limits(scene), [
             "Beyond its limit: cells (estimated at 6.6, not measured; limit: "
             "at least 10)."])
         row["quantity"] += ", not measured, since there is no probe"
-        self.assertEqual(headline._limits(scene), [
+        self.assertEqual(reservations._limits(scene), [
             "Beyond its limit: cells, not measured, since there is no probe "
             "(estimated at 6.6; limit: at least 10)."])
         self.assertIn(">no<", str(accuracy._planned(row)[6]))
@@ -1816,7 +1846,7 @@ class ReportTest(unittest.TestCase):
             scene = types.SimpleNamespace(
                 biomechanics=types.SimpleNamespace(
                     found=lambda _, name: checks.get(name)))
-            found = " ".join(headline._loads(scene)).replace("\xa0", " ")
+            found = " ".join(reservations._loads(scene)).replace("\xa0", " ")
             self.assertEqual(bool(found), bool(told))
             self.assertIn(told, found)
 
@@ -1847,7 +1877,7 @@ class ReportTest(unittest.TestCase):
             "100 N s recorded on the whole body at the end in magnitudes, as pushes from "
             "opposite sides cancel, 99.0 N s on the elements",
             " ".join(accuracy._checks(scene)).replace("\xa0", " "))
-        self.assertEqual(headline._loads(scene), [])
+        self.assertEqual(reservations._loads(scene), [])
         # The push left on the elements is twice the recorded one.
         for recorded, mapped, difference in ((6., 12., 1.), (0., 1., math.inf),
                                              (0., 0., 0.)):
@@ -1855,7 +1885,7 @@ class ReportTest(unittest.TestCase):
                           loads_largest_mapped_push=mapped)
             self.assertEqual(load_impulses.difference_of_motion(scene),
                              difference)
-            said = " ".join(headline._loads(scene)).replace("\xa0", " ")
+            said = " ".join(reservations._loads(scene)).replace("\xa0", " ")
             self.assertEqual(bool(said), difference > 0., said)
             if recorded:
                 self.expect(said, "is largest, 6.00 N s, its elements received "
@@ -1884,7 +1914,7 @@ class ReportTest(unittest.TestCase):
             known = [{"item": f"model_bias_{name}", "estimate": value,
                       "decision": why} for name, value, why in rows]
             scene = types.SimpleNamespace(list_of=lambda _: known)
-            return " ".join(headline._model_bias(scene)).replace("\xa0", " ")
+            return " ".join(reservations._model_bias(scene)).replace("\xa0", " ")
         self.assertIn("a peak 5 % below, an impulse 8 % above and a duration "
                       "31 % below the tables",
                       told(("peak", "-0.05", ""), ("impulse", "0.08", ""),
@@ -1901,19 +1931,19 @@ class ReportTest(unittest.TestCase):
                         for name in ("peak", "impulse")]
         scene = types.SimpleNamespace(
             list_of=lambda name: rows if name == "audit" else [])
-        self.assertEqual(headline._afterburn(scene), [
+        self.assertEqual(reservations._afterburn(scene), [
             "The run has no afterburn: the explosive's own oxygen burns it."])
         # The oxygen of a user's own explosive is unknown.
         row["decision"] = ("left out by the values of ANFO (Like); it is "
                            "unknown for this explosive")
         for effect in rows[1:]:
             effect["estimate"] = "unknown"
-        self.assertEqual(headline._afterburn(scene),
+        self.assertEqual(reservations._afterburn(scene),
                          [f"Afterburn is {row['decision']}."])
         row["decision"] = ("1 of at most 2 MJ/kg by the heat of combustion of "
                            "ANFO (Like), Miller's rate, by Like")
         self.assertIn("(at most 2 MJ/kg is possible by the heat of combustion "
-                      "of ANFO (Like))", headline._afterburn(scene)[0])
+                      "of ANFO (Like))", reservations._afterburn(scene)[0])
 
     def test_other_items_of_the_answer(self):
         """A longer phase on the skin, a place that no blast has reached,
@@ -1978,7 +2008,7 @@ class ReportTest(unittest.TestCase):
                 short_title=lambda: name)
         run = types.SimpleNamespace(blast=types.SimpleNamespace(exists=True))
         scene = types.SimpleNamespace(coarser=run, has_own_mesh=lambda: False)
-        words = headline._verdicts(scene, [
+        words = reservations._verdicts(scene, [
             entry("ear", True), entry("lung", False), entry("chest", None)])
         self.assertEqual(words, ["Numerical error could change one of three "
                                  "verdicts: lung; it is unknown of chest: the "
@@ -2096,9 +2126,9 @@ class ReportTest(unittest.TestCase):
         """That biomechanics leaves it out may change the verdict."""
         scene = types.SimpleNamespace(list_of=lambda _: [
             {"item": "rigid_body"}])
-        self.assertEqual(headline._ground(scene), [])
+        self.assertEqual(reservations._ground(scene), [])
         scene.list_of = lambda _: [{"item": "ground_of_body"}]
-        self.assertIn("leaves out the ground", headline._ground(scene)[0])
+        self.assertIn("leaves out the ground", reservations._ground(scene)[0])
 
     def test_brains_that_are_held_have_no_verdict(self):
         for value in (1., 0., None):
@@ -2125,7 +2155,7 @@ class ReportTest(unittest.TestCase):
                     lambda _: "skin" if at_trunk else "probe"):
                 return (str(verdict._by_tables(scene, [load],
                                                verdict._lungs([load]))),
-                        " ".join(headline._tables(scene, [load])))
+                        " ".join(reservations._tables(scene, [load])))
         for load, tables in (
                 (("lung_exposure_air", 0.107), (0.21,)),
                 (("lung_exposure", 0.107), (0.5, 0.21, 0.9)),
@@ -2158,7 +2188,7 @@ class ReportTest(unittest.TestCase):
         """Are among what could change the verdict."""
         scene = types.SimpleNamespace(warnings=lambda: {
             "grazed side: the front runs along A": ["blast"], "skin: a": []})
-        self.assertEqual(headline._grazed_sides(scene),
+        self.assertEqual(reservations._grazed_sides(scene),
                          ["The front runs along A."])
 
     def test_lungs_of_a_phase_that_is_cut(self):
@@ -2185,7 +2215,7 @@ class ReportTest(unittest.TestCase):
         with unittest.mock.patch.object(injury_table, "is_trunk_far",
                                         lambda _: True):
             judged = injury_table.judge(scene)
-            rows = {row[0]: row[1:] for row in headline._compared(scene, judged)}
+            rows = {row[0]: row[1:] for row in comparison.compared(scene, judged)}
         load = next(entry for entry in judged
                     if entry.name.startswith("lung_exposure"))
         run, tables = rows["load over the 50\u00a0% lethality load at the trunk"]

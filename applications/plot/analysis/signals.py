@@ -7,6 +7,7 @@ import numpy as np
 ARRIVED = 0.05  # of the largest absolute value
 LIKE_LARGEST = 0.4  # of a rise: what is less may be an oscillation behind a front
 NEAR = 0.01  # of the run, between the sample of a peak and the peak itself
+FIRST_WAVES = 2.5e-3  # s from the onset in tissue, without echoes of echoes
 ROUND_OFF = 1e-6  # of single precision, as a part of the largest absolute value
 
 

@@ -126,8 +126,7 @@ def _free_air(scene):
             if known:
                 rows.append((_probe_place(scene, number),
                              quantity.replace("_", " "),
-                             page.limit(here, is_cut)
-                             + page.quantity(here, unit),
+                             page.limit(page.quantity(here, unit), is_cut),
                              page.quantity(known, unit),
                              "–" if is_cut
                              else page.percent(here / known - 1.)))

@@ -239,12 +239,14 @@ def verdict_figure(scene, verdicts):
 
 
 def _peak_beside_tables(scene):
-    """Sentences: the error of the largest peak on the skin, and the reflected
-    peak of the tables."""
-    text = ""
+    """Sentences: place and error of the largest peak on the skin, and the
+    reflected peak of the tables."""
+    known = scene.loads()
+    where = known.centroids[np.nanargmax(known.measure("peak"))]
+    text = f" The largest peak is at ({page.point(where, 3)}) m."
     error = error_estimate.of_skin(scene, "peak")[2]
     if error is not None:
-        text += f" The numerical error of the largest peak is {page.error(error)}."
+        text += f" Its numerical error is {page.error(error)}."
     wall = scene.table_answer("overpressure")[1]
     if wall is not None:
         text += (f" By the tables, {page.quantity(wall, 'Pa')} reach an endless "
@@ -336,8 +338,9 @@ def histories(scene):
             "Curves of overpressure over time, one chart for each of "
             + ", ".join(gauges.others("time")) + "; the largest peak is "
             + _largest_peak(scene) + ", and the table below has all peaks.",
-            "Overpressure at named places on the skin, averaged over the "
-            "patch around each place. Dots mark the first peak, triangles the "
+            "Overpressure at named places on the skin: mean over the facets "
+            "within the radius of a gauge, or of the nearest one (number and "
+            "distance are in log.txt of the blast). Dots mark the first peak, triangles the "
             "second one; above the curves both stand with overpressure and "
             "time. The places are numbered on the body, hollow where they are "
             "behind what is seen.", "svg"))
@@ -376,8 +379,8 @@ def _gauge_table(scene, gauges):
         rows.append((
             name, page.number(1e3 * measures["arrival"]),
             page.number(1e-3 * measures["peak"]),
-            page.at_least(measures["impulse"], is_cut),
-            page.at_least(1e3 * measures["positive phase"], is_cut),
+            page.limit(page.number(measures["impulse"]), is_cut),
+            page.limit(page.number(1e3 * measures["positive phase"]), is_cut),
             page.Rounded(("≤ " if after[-1] == lowest else "")
                          + page.number(1e-3 * lowest), 1e-3 * lowest)
             if lowest < -1. else "–",

@@ -313,7 +313,7 @@ def _draw_first(probes, places):
     begins = [signals.arrival(time, place.pressure(probes))
               for place in places]
     begin = min((x for x in begins if x is not None), default=0.)
-    part = (time >= begin - 1e-4) & (time <= begin + 2.5e-3)
+    part = (time >= begin - 1e-4) & (time <= begin + signals.FIRST_WAVES)
     figure, axis = plt.subplots(figsize=(9., 3.3))
     for place in places:
         axis.plot(1e3 * time[part],

@@ -20,6 +20,7 @@ ORDER = 0.7
 GAUGE_MEASURES = ("peak", "impulse", "positive phase")
 # Smallest relative error of a measure: two runs can agree by chance.
 LEAST = 0.02
+WHOLE_SKIN = 0.95  # of this run's, in the gas of the coarser one
 
 
 def of_gauges(fine, coarse, ratio, other_phases=(), other_waves=None):
@@ -147,9 +148,10 @@ def _rows_of_skin(scene):
             ("impulse", "Pa s", "largest impulse on the skin")):
         coarser, value, found = of_skin(scene, name)
         if found is not None:
-            yield (title, *(page.limit(size, name == "impulse"
+            yield (title, *(page.limit(page.quantity(size, unit),
+                                       name == "impulse"
                                        and run.loads().is_cut_off(name))
-                            + page.quantity(size, unit) for size, run in (
+                            for size, run in (
                                 (coarser, scene.coarser), (value, scene))),
                    page.error(found))
 
@@ -169,6 +171,12 @@ def section(scene, judged):
         ", and no body: your own hexahedra have no coarser mesh, and errors of "
         "what happens in the body are unknown" if scene.has_own_mesh() else
         "" if scene.asks_for_loads() else " and elements of 5/3 of the size")
+    skins = [run.blast.found("checks", "loads_skin_area")
+             for run in (scene.coarser, scene)]
+    if all(skins) and skins[0] < WHOLE_SKIN * skins[1]:
+        coarser += (f". Its gas has {page.percent(skins[0] / skins[1])} of the "
+                    "skin that this run has, and errors contain the effect of "
+                    "what is missing")
     if not rows:
         return page.paragraph(coarser + ". This scene has no measure of injury "
                               "whose error it could tell.")

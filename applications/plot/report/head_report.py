@@ -438,8 +438,7 @@ def _extrema(run):
                 page.number(1e6 * value) + " cm³", value, unit) \
                 if unit == "m^3" else page.quantity(value, unit)
             if run.is_so_far(when):
-                shown = page.Rounded(page.limit(value) + shown, shown.value,
-                                     shown.unit)
+                shown = page.limit(shown)
             rows.append((
                 name, "largest void of the whole layer" if unit == "m^3"
                 else quantity.replace("_", " "), shown,

@@ -82,8 +82,8 @@ class Judged:
         if self.is_fraction:
             return page.least_chance(value) if is_limit \
                 else page.chance(value, limits)
-        return page.limit(value, is_limit) + page.quantity(
-            value, self.unit, page.digits_beside(limits, value, 3))
+        return page.limit(page.quantity(
+            value, self.unit, page.digits_beside(limits, value, 3)), is_limit)
 
     def shown_bounds(self):
         """bounds() of a probability or fraction in words."""

@@ -100,14 +100,11 @@ def _digits(value, digits):
     return (whole + dot + rest).replace("-", "−")
 
 
-def at_least(value, is_lower_limit):
-    """A number, which may be a lower limit."""
-    return Rounded(limit(value, is_lower_limit) + number(value), value)
-
-
-def limit(value, is_lower_limit=True):
-    """The sign before a number whose magnitude is a lower limit."""
-    return "" if not is_lower_limit else "≤ " if value < 0. else "≥ "
+def limit(shown, is_lower_limit=True):
+    """A number as a page shows it, whose magnitude may be a lower limit."""
+    return shown if not is_lower_limit or not isinstance(shown, Rounded) \
+        else Rounded(("≤ " if shown.value < 0. else "≥ ") + shown,
+                     shown.value, shown.unit)
 
 
 def count(value):
@@ -141,8 +138,7 @@ def chance(part, limits=()):
 
 def least_chance(part):
     """The same of a lower limit."""
-    return Rounded("≥ " + percent(part), 100. * part, "%") \
-        if part <= 0.99 else chance(part)
+    return limit(percent(part)) if part <= 0.99 else chance(part)
 
 
 def interval(low, high, limits=()):
@@ -185,6 +181,11 @@ def given(value, unit, digits=4):
     if "." in mantissa:
         mantissa = mantissa.rstrip("0").rstrip(".")
     return Rounded(f"{mantissa}{times}{power}\u00a0{unit}", value, unit)
+
+
+def height(place):
+    """Height of a place [m] above z = 0."""
+    return given(round(place[2], 2), "m")
 
 
 def plain(value, unit):

@@ -16,9 +16,6 @@ from plot.report import page, reflections, unfinished
 
 # kg/m^3, for the size of the charge on the drawing.
 EXPLOSIVE_DENSITY = {"tnt": 1630., "c-4": 1601., "petn": 1770.}
-# After the onset of pressure in tissue, when waves pass that are not echoes
-# of echoes yet [s].
-FIRST_WAVES = 2.5e-3
 SLOW_RISE = 2e-4  # of a pressure in tissue, told from here on [s]
 SOLID = "#cfc9be"  # colour of ground and walls
 
@@ -322,8 +319,8 @@ def _skin_events(scene):
             measures["arrival"] + measures["positive phase"],
             second and second[0],
             f"peak {page.quantity(measures['peak'], 'Pa')}, impulse "
-            + page.limit(measures["impulse"], measures["cut off"] > 0.)
-            + page.quantity(measures["impulse"], "Pa s"),
+            + page.limit(page.quantity(measures["impulse"], "Pa s"),
+                         measures["cut off"] > 0.),
             measures["cut off"] > 0.))
     return sorted(found, key=lambda event: event.begin)
 
@@ -340,7 +337,7 @@ def _tissue_events(scene):
         begin = signals.arrival(time, values)
         if begin is None:
             continue
-        near = (time >= begin) & (time <= begin + FIRST_WAVES)
+        near = (time >= begin) & (time <= begin + signals.FIRST_WAVES)
         largest = int(np.argmax(np.where(near, np.abs(values), 0.)))
         found.append(Event(
             "tissue", place.title(), begin, None, float(time[largest]),

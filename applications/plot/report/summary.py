@@ -11,11 +11,11 @@ import re
 import textwrap
 
 from plot.readers import formats
-from plot.report import headline, injury_table
+from plot.report import comparison, injury_table
 
 WIDTH = 78  # of the lines of headline.txt
 # What is not known of a quantity beside that of the tables.
-ROW = {**dict.fromkeys(headline.TITLES_IN_FILE), "place": "probe 1",
+ROW = {**dict.fromkeys(comparison.TITLES_IN_FILE), "place": "probe 1",
        "cut_off": False, "differs": False}
 
 

@@ -86,6 +86,13 @@ PlannedScene::PlannedScene(dealii::ParameterHandler &prm,
 void PlannedScene::find_remarks(dealii::ParameterHandler &prm)
 {
   remarks_ = body_->remarks();
+  constexpr double touches = 0.02, flies = 0.5; // [m]
+  const double gap = layout_->body.get_boundary_points().first[2];
+  if (layout_->has_ground() && has(Tissue::lung) && gap > touches &&
+      gap < flies)
+    remarks_.push_back("the lowest skin is " + brief(100. * gap) +
+                       " cm above the ground: the wave runs beneath the body, "
+                       "and loads it there; Body/Shift can lower it");
   if (!parameters_.wants_injury())
     return;
   if (!has(Tissue::brain))
