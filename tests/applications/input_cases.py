@@ -566,8 +566,12 @@ def bar_of_lung():
                    entry("Injury/Chest", "0, 0, 0"), entry("Mesh/Tissue", "lung"))
 
 
-def without_brain():
-    """Bodies that get no measures of the brain."""
+def remarkable_bodies():
+    """Without measures of the brain, and above the ground."""
+    yield ("scene of a person in the air", "scene",
+           shipped(SCENE, entry("Scene/End time", "0.005"),
+                   entry("Body/Shift", "0, 0, 0.06")),
+           "  the lowest skin is 6 cm above the ground: the wave runs beneath")
     yield ("scene without a brain", "scene",
            shipped(SCENE, entry("Scene/End time", "0.005"),
                    entry("Body/Kind", "shape"),
@@ -922,7 +926,7 @@ def main(programs, repository):
                               (near_sides, judge_acceptance),
                               (warned_studies, judge_acceptance),
                               (thin_layers, judge_acceptance),
-                              (without_brain, judge_acceptance),
+                              (remarkable_bodies, judge_acceptance),
                               (other_masses, judge_acceptance),
                               (chosen_masses, judge_silence),
                               (own_meshes, judge_acceptance),

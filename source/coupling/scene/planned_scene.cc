@@ -35,7 +35,7 @@ namespace
     std::string text = nearest + " m from the nearest skin";
     if (!scene.place && std::isfinite(layout.distance_along_x) &&
         along != nearest)
-      text += " (" + along + " m along -x)";
+      text += " (" + along + " m to the skin along x)";
     return text;
   }
 
