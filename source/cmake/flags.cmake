@@ -28,9 +28,9 @@ set(_common -Wall -Wextra -Wno-psabi ${_false_alarms} -U_FORTIFY_SOURCE
 if(CONTRECOUP_PROCESSOR)
   list(APPEND _common -march=${CONTRECOUP_PROCESSOR})
 endif()
-# The pipelines of new processors, which it knows, take gcc 14 a third of the time to
-# compile. The loops that Debian's deal.II has unrolled take a tenth, and are of use in
-# kernels alone.
+# gcc 14 spends a third of its time on sources such as those of gas/adaptation to
+# schedule instructions for the newest processors, and a tenth on the loops that
+# Debian's deal.II has unrolled, which are of use in kernels alone.
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   if(CONTRECOUP_PROCESSOR STREQUAL "native" AND
       NOT CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)

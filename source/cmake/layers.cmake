@@ -7,8 +7,8 @@
 # of the modules, lowest first, or else those beside the CMakeLists.txt. The compiler
 # reads the sources of a folder as one, which halves its work; names in their unnamed
 # namespaces must differ. It reads those of ALONE one by one: kernels, whose code must
-# not depend on what else is there, and parts of one class template. A COLD layer has
-# no kernel, and is optimised less.
+# not depend on what else is there, and parts of one class template; their loops
+# are unrolled. A COLD layer has no kernel, and is optimised less.
 function(contrecoup_add_layer name)
   cmake_parse_arguments(ARG "COLD" "" "DEPENDS;MODULES;ALONE" ${ARGN})
   set(target contrecoup_${name})

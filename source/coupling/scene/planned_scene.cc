@@ -92,7 +92,7 @@ void PlannedScene::find_remarks(dealii::ParameterHandler &prm)
       gap < flies)
     remarks_.push_back("the lowest skin is " + brief(100. * gap) +
                        " cm above the ground: the wave runs beneath the body, "
-                       "and loads it there; Body/Shift can lower it");
+                       "and loads its underside; Body/Shift lowers the body");
   if (!parameters_.wants_injury())
     return;
   if (!has(Tissue::brain))
