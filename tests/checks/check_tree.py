@@ -551,10 +551,18 @@ def spelling(root):
             if "==>" in line]
 
 
+def mutations(root):
+    """The faults of tests/mutations fit the sources."""
+    run = subprocess.run(
+        [sys.executable, os.path.join(root, "tests/mutations/run.py"),
+         "--check"], check=False, text=True, stdout=subprocess.PIPE)
+    return run.stdout.splitlines()[:-1]
+
+
 CHECKS = {check.__name__: check for check in
           (layers, modules, plot_modules, lengths, sizes, functions, mirror,
            overloads, licence, parameters, guide, links, citation, spelling,
-           formatting, tidy)}
+           formatting, mutations, tidy)}
 
 
 def run_check(name, root, folders):
