@@ -104,9 +104,10 @@ watch_build() {
   done
 }
 
-# Settings under which mpirun works in containers and as root; Open MPI 5 has
-# the name that begins with PRTE.
+# Settings under which mpirun works on one machine, whatever its network, in
+# containers and as root; Open MPI 5 has the name that begins with PRTE.
 allow_mpi_anywhere() {
+  export OMPI_MCA_btl=^tcp,uct,openib,ofi OMPI_MCA_pml=ob1
   export OMPI_MCA_btl_vader_single_copy_mechanism=none
   export OMPI_MCA_rmaps_base_oversubscribe=1
   export PRTE_MCA_rmaps_default_mapping_policy=:oversubscribe

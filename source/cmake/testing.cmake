@@ -14,8 +14,10 @@ set(CONTRECOUP_TEST_ENVIRONMENT
   OMPI_ALLOW_RUN_AS_ROOT=1
   OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
   OMPI_MCA_rmaps_base_oversubscribe=1
-  # All ranks are on this machine, whose network may change meanwhile.
-  OMPI_MCA_btl=^tcp
+  # All ranks are on this machine, whose network may change meanwhile. Components
+  # for other networks, which Debian excludes, take a second to be opened.
+  OMPI_MCA_btl=^tcp,uct,openib,ofi
+  OMPI_MCA_pml=ob1
   OMPI_MCA_btl_vader_single_copy_mechanism=none
   OMPI_MCA_hwloc_base_binding_policy=none
   OMPI_MCA_ess_singleton_isolated=1
