@@ -20,4 +20,18 @@ inline void set_entries(dealii::ParameterHandler &prm,
     assignments.push_back(parse_override(prefix + entry));
   apply_assignments(assignments, prm);
 }
+
+
+/// What a parameter file with these entries describes.
+template <typename Described>
+Described described(const std::vector<std::string> &entries,
+                    const std::string &prefix = "")
+{
+  dealii::ParameterHandler prm;
+  Described::declare_parameters(prm);
+  set_entries(prm, entries, prefix);
+  Described result;
+  result.parse_parameters(prm);
+  return result;
+}
 } // namespace contrecoup

@@ -61,11 +61,12 @@ add_library(contrecoup_test_main STATIC
 contrecoup_setup_test_target(contrecoup_test_main)
 target_link_libraries(contrecoup_test_main contrecoup_base GTest::gtest)
 
-# contrecoup_add_unit_test(<name> SOURCES <a.cc>... DEPENDS <layer>...
+# contrecoup_add_unit_test(<name> SOURCES <a.cc>... [DEPENDS <layer>...]
 #   [TOGETHER <word>] [MPI <n>] [LABELS <label>...] [TIMEOUT <seconds>])
 #
 # The ctest <folder>_<name> runs the GoogleTests of these sources, where <folder>
-# is that of the calling CMakeLists.txt. All of a folder are one program,
+# is that of the calling CMakeLists.txt, and its layer what they need unless they
+# DEPEND on others. All of a folder are one program,
 # <folder>_tests: each program takes 2 s to link. With MPI <n> they run a second
 # time on n ranks, as <folder>_<name>_mpi_<n>. MPI is initialised before the
 # first test. The compiler gets all sources of a folder with the same word of
@@ -78,6 +79,9 @@ function(contrecoup_add_unit_test name)
       "missing or these words are unknown: ${ARG_UNPARSED_ARGUMENTS}")
   endif()
   get_filename_component(_folder ${CMAKE_CURRENT_SOURCE_DIR} NAME)
+  if(NOT ARG_DEPENDS)
+    set(ARG_DEPENDS ${_folder})
+  endif()
   set(_test ${_folder}_${name})
   set(_program ${_folder}_tests)
   if(NOT TARGET ${_program})

@@ -21,7 +21,7 @@ std::string file_with(const std::string &name, const std::string &text)
 }
 
 /// The message of the InputError that reading @p text gives.
-std::string refusal(const std::string &text)
+std::string refusal_of_file(const std::string &text)
 {
   try
   {
@@ -61,18 +61,18 @@ TEST(ParameterFile, ReadsSectionsCommentsAndContinuedLines)
 
 TEST(ParameterFile, SaysWhereTextIsNotUtf8OrHasALookalike)
 {
-  EXPECT_EQ(refusal("set A = 1\nset Title = caf\xE9\n"),
+  EXPECT_EQ(refusal_of_file("set A = 1\nset Title = caf\xE9\n"),
             "\"refused.prm\", line 2: not UTF-8: byte 0xE9 after \"set Title = "
             "caf\"; save the file as UTF-8");
-  EXPECT_EQ(refusal("# caf\xE9\nset Title = caf\u00E9\n"), "accepted");
-  EXPECT_NE(refusal("set\u00A0A = 1\n")
+  EXPECT_EQ(refusal_of_file("# caf\xE9\nset Title = caf\u00E9\n"), "accepted");
+  EXPECT_NE(refusal_of_file("set\u00A0A = 1\n")
               .find("line 1: cannot understand \"set\u00A0A = 1\""),
             std::string::npos);
   EXPECT_NE(
-    refusal("set\u00A0A = 1\n")
+    refusal_of_file("set\u00A0A = 1\n")
       .find("; U+00A0 (no-break space) after \"set\": write a space instead"),
     std::string::npos);
-  EXPECT_EQ(refusal("set\tA\t=\t1\r\n"), "accepted");
+  EXPECT_EQ(refusal_of_file("set\tA\t=\t1\r\n"), "accepted");
 }
 
 TEST(ParameterFile, IncludesRelativeToTheIncludingFile)
@@ -89,28 +89,29 @@ TEST(ParameterFile, IncludesRelativeToTheIncludingFile)
 
 TEST(ParameterFile, SaysFileAndLineOfEachMistake)
 {
-  EXPECT_EQ(refusal("set A = 1\nend\n"),
+  EXPECT_EQ(refusal_of_file("set A = 1\nend\n"),
             "\"refused.prm\", line 2: \"end\" without a subsection");
-  EXPECT_EQ(refusal("\nsubsection S\nset A = 1\n"),
+  EXPECT_EQ(refusal_of_file("\nsubsection S\nset A = 1\n"),
             "\"refused.prm\", line 2: subsection \"S\" has no \"end\"");
-  EXPECT_EQ(refusal("set A\n"),
+  EXPECT_EQ(refusal_of_file("set A\n"),
             "\"refused.prm\", line 1: \"set A\" is not of the form \"set ENTRY "
             "= VALUE\"");
-  EXPECT_NE(refusal("A = 1\n").find("line 1: cannot understand \"A = 1\""),
-            std::string::npos);
-  EXPECT_EQ(refusal("include nowhere.prm\n"),
+  EXPECT_NE(
+    refusal_of_file("A = 1\n").find("line 1: cannot understand \"A = 1\""),
+    std::string::npos);
+  EXPECT_EQ(refusal_of_file("include nowhere.prm\n"),
             "\"refused.prm\", line 1: cannot include \"nowhere.prm\": there is "
             "no such file");
-  EXPECT_EQ(refusal("set A = 1\ninclude .\n"),
+  EXPECT_EQ(refusal_of_file("set A = 1\ninclude .\n"),
             "\"refused.prm\", line 2: cannot include \".\": it is a folder");
-  EXPECT_EQ(refusal(std::string(300, 'x')),
+  EXPECT_EQ(refusal_of_file(std::string(300, 'x')),
             "\"refused.prm\", line 1: cannot understand \"" +
               std::string(60, 'x') +
               "...\"; a line is \"subsection NAME\", \"set ENTRY = VALUE\", "
               "\"end\" or \"include FILE\"");
-  EXPECT_NE(refusal("include refused.prm\n").find("include each other"),
+  EXPECT_NE(refusal_of_file("include refused.prm\n").find("include each other"),
             std::string::npos);
-  EXPECT_NE(refusal("include refused.prm\ninclude ./refused.prm\n")
+  EXPECT_NE(refusal_of_file("include refused.prm\ninclude ./refused.prm\n")
               .find("include each other"),
             std::string::npos);
   EXPECT_THROW(read_assignments("missing.prm"), InputError);

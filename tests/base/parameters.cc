@@ -16,7 +16,7 @@ using namespace contrecoup;
 
 namespace
 {
-void declare_all(ParameterHandler &prm)
+void declare_entries(ParameterHandler &prm)
 {
   declare_double(prm, "Density", "1.4", 0., 1e5, "kg/m^3", "Of the gas.");
   declare_double(prm, "Shift", "0", -unbounded, unbounded, "m", "Any.");
@@ -48,10 +48,10 @@ std::string find_text(const ParameterHandler &prm, const std::string &what)
   return find_parameters(prm, what, ParameterForm::text);
 }
 
-std::string refusal(const std::string &text)
+std::string refusal_of_entry(const std::string &text)
 {
   ParameterHandler prm;
-  declare_all(prm);
+  declare_entries(prm);
   try
   {
     set(prm, text);
@@ -67,7 +67,7 @@ std::string refusal(const std::string &text)
 TEST(Parameters, ReadsWhatWasSet)
 {
   ParameterHandler prm;
-  declare_all(prm);
+  declare_entries(prm);
   set(prm, "Density = 0.1234567890123456789");
   set(prm, "Flux/Weights = 3,4 ,5");
   EXPECT_EQ(read_double(prm, "Density"), 0.1234567890123456789);
@@ -98,47 +98,49 @@ TEST(Parameters, ReadsFiniteNumbersOnly)
 
 TEST(Parameters, SaysWhatIsAllowed)
 {
-  EXPECT_EQ(refusal("Density=-1"),
+  EXPECT_EQ(refusal_of_entry("Density=-1"),
             "--set: entry \"Density\" cannot be \"-1\"; allowed: a number from "
             "0 to 100000");
-  EXPECT_EQ(refusal("Degree=2.5"),
+  EXPECT_EQ(refusal_of_entry("Degree=2.5"),
             "--set: entry \"Degree\" cannot be \"2.5\"; allowed: a whole "
             "number from 0 to 3");
-  EXPECT_EQ(refusal("Flux/Kind=Rusnov"),
+  EXPECT_EQ(refusal_of_entry("Flux/Kind=Rusnov"),
             "--set: entry \"Flux/Kind\" cannot be \"Rusnov\"; did you mean "
             "\"Rusanov\"? Allowed: HLLC, HLL, Rusanov");
-  EXPECT_EQ(refusal("Flux/Weights=1,10"),
+  EXPECT_EQ(refusal_of_entry("Flux/Weights=1,10"),
             "--set: entry \"Flux/Weights\" cannot be \"1,10\"; allowed: 1 to 3 "
             "values separated by commas, each a number from 0 to 9");
-  EXPECT_EQ(refusal("Normal=1,0"),
+  EXPECT_EQ(refusal_of_entry("Normal=1,0"),
             "--set: entry \"Normal\" cannot be \"1,0\"; allowed: 3 "
             "values separated by commas, each a number from -1 to 1");
-  EXPECT_EQ(refusal("Adapt=maybe"),
+  EXPECT_EQ(refusal_of_entry("Adapt=maybe"),
             "--set: entry \"Adapt\" cannot be \"maybe\"; allowed: true, false");
-  EXPECT_NE(refusal("Places=1,2,3,4").find("points of one to three numbers"),
-            std::string::npos);
+  EXPECT_NE(
+    refusal_of_entry("Places=1,2,3,4").find("points of one to three numbers"),
+    std::string::npos);
   for (const char *value : {"nan", "inf", "-inf", "1e400", "1 m", ""})
-    EXPECT_NE(refusal(std::string("Shift=") + value), "accepted") << value;
+    EXPECT_NE(refusal_of_entry(std::string("Shift=") + value), "accepted")
+      << value;
 }
 
 TEST(Parameters, NamesTheNearestForWhatIsUnknown)
 {
-  EXPECT_EQ(refusal("Flux/Kid=HLL"),
+  EXPECT_EQ(refusal_of_entry("Flux/Kid=HLL"),
             "--set: unknown entry \"Kid\" in \"Flux\"; did you mean \"Kind\"? "
             "Known are: Kind, Weights");
-  EXPECT_EQ(refusal("Flx/Kind=HLL"),
+  EXPECT_EQ(refusal_of_entry("Flx/Kind=HLL"),
             "--set: unknown subsection \"Flx\" at the top level; did you mean "
             "\"Flux\"? Known are: Flux, Region *");
-  EXPECT_EQ(refusal("Region ball/Stat/Pressure=1"),
+  EXPECT_EQ(refusal_of_entry("Region ball/Stat/Pressure=1"),
             "--set: unknown subsection \"Stat\" in \"Region ball\"; did you "
             "mean \"State\"? Known are: State");
-  EXPECT_NE(refusal("Region */Radius=1"), "accepted");
+  EXPECT_NE(refusal_of_entry("Region */Radius=1"), "accepted");
 }
 
 TEST(Parameters, NamedItemsHaveTheEntriesOfTheirPattern)
 {
   ParameterHandler prm;
-  declare_all(prm);
+  declare_entries(prm);
   EXPECT_TRUE(item_names(prm, "Region").empty());
   set(prm, "Region outer/Radius = 2");
   set(prm, "Region inner ball/State/Pressure = 3e5");
@@ -154,7 +156,7 @@ TEST(Parameters, NamedItemsHaveTheEntriesOfTheirPattern)
 TEST(Parameters, TextReadBackGivesTheSameValues)
 {
   ParameterHandler prm;
-  declare_all(prm);
+  declare_entries(prm);
   set(prm, "Density = 0.12345678901234567");
   set(prm, "Region b/State/Pressure = 1e5*(x < 0.5)");
   set(prm, "Region a/Radius = 4");
@@ -162,7 +164,7 @@ TEST(Parameters, TextReadBackGivesTheSameValues)
   {
     std::ofstream("written.prm") << parameter_text(prm, annotated);
     ParameterHandler again;
-    declare_all(again);
+    declare_entries(again);
     apply_assignments(read_assignments("written.prm"), again);
     EXPECT_EQ(parameter_values(prm), parameter_values(again));
     EXPECT_EQ(item_names(again, "Region"), item_names(prm, "Region"));
@@ -171,43 +173,47 @@ TEST(Parameters, TextReadBackGivesTheSameValues)
 
 TEST(Parameters, NumbersHaveNeitherUnitsNorCommas)
 {
-  EXPECT_EQ(refusal("Density=1 kg"),
+  EXPECT_EQ(refusal_of_entry("Density=1 kg"),
             "--set: entry \"Density\" cannot be \"1 kg\": a number stands "
             "without its unit, here kg/m^3: \"1\"; allowed: a number from 0 to "
             "100000");
-  EXPECT_NE(refusal("Density=0,5")
+  EXPECT_NE(refusal_of_entry("Density=0,5")
               .find(": the decimal separator is a point: \"0.5\"; allowed"),
             std::string::npos);
-  EXPECT_NE(refusal("Places=1 m, 0").find("without its unit, here m: \"1\""),
-            std::string::npos);
-  EXPECT_NE(refusal("Domain.Density=1")
+  EXPECT_NE(
+    refusal_of_entry("Places=1 m, 0").find("without its unit, here m: \"1\""),
+    std::string::npos);
+  EXPECT_NE(refusal_of_entry("Domain.Density=1")
               .find("a \"/\" separates section and entry: \"Domain/Density\""),
             std::string::npos);
 }
 
 TEST(Parameters, LettersThatLookLikeOthersAreNamed)
 {
-  EXPECT_EQ(refusal("Density=0.5\u00A0"),
+  EXPECT_EQ(refusal_of_entry("Density=0.5\u00A0"),
             "--set: the value of entry \"Density\" has U+00A0 (no-break space) "
             "after \"0.5\": write a space instead");
-  EXPECT_NE(refusal("Density=\u22122").find("U+2212 (minus sign)"),
+  EXPECT_NE(refusal_of_entry("Density=\u22122").find("U+2212 (minus sign)"),
             std::string::npos);
-  EXPECT_NE(refusal("Den\u200Bsity=2").find("U+200B (invisible letter)"),
+  EXPECT_NE(
+    refusal_of_entry("Den\u200Bsity=2").find("U+200B (invisible letter)"),
+    std::string::npos);
+  EXPECT_NE(
+    refusal_of_entry("Density=\uFF11").find("U+FF11 (full-width letter)"),
+    std::string::npos);
+  EXPECT_NE(
+    refusal_of_entry("Density=\u201C2\u201D").find("U+201C (quotation mark)"),
+    std::string::npos);
+  EXPECT_NE(refusal_of_entry("Density=2\u00B7").find("U+00B7 after \"2\""),
             std::string::npos);
-  EXPECT_NE(refusal("Density=\uFF11").find("U+FF11 (full-width letter)"),
-            std::string::npos);
-  EXPECT_NE(refusal("Density=\u201C2\u201D").find("U+201C (quotation mark)"),
-            std::string::npos);
-  EXPECT_NE(refusal("Density=2\u00B7").find("U+00B7 after \"2\""),
-            std::string::npos);
-  EXPECT_NE(refusal("Density=\xE9").find("not UTF-8: byte 0xE9"),
+  EXPECT_NE(refusal_of_entry("Density=\xE9").find("not UTF-8: byte 0xE9"),
             std::string::npos);
 }
 
 TEST(Parameters, APatternHasNoValuesOfItsOwn)
 {
   ParameterHandler prm;
-  declare_all(prm);
+  declare_entries(prm);
   const auto radius = [](const std::string &value) {
     return Assignment{{"Region *"}, "Radius", value, "\"a.prm\", line 2", ""};
   };
@@ -219,7 +225,7 @@ TEST(Parameters, APatternHasNoValuesOfItsOwn)
 TEST(Parameters, OneSectionOrTheEntriesWithAWordAreFound)
 {
   ParameterHandler prm;
-  declare_all(prm);
+  declare_entries(prm);
   const std::string by_name = find_text(prm, "density");
   EXPECT_NE(by_name.find("set Density = 1.4\n"), std::string::npos);
   EXPECT_EQ(by_name.find("Table"), std::string::npos);
@@ -242,7 +248,7 @@ TEST(Parameters, OneSectionOrTheEntriesWithAWordAreFound)
 TEST(Parameters, JsonHasUnitRangeAndChoices)
 {
   ParameterHandler prm;
-  declare_all(prm);
+  declare_entries(prm);
   const auto json = nlohmann::ordered_json::parse(
     find_parameters(prm, "", ParameterForm::json));
   const auto &density = json.at("Density");
@@ -258,7 +264,7 @@ TEST(Parameters, JsonHasUnitRangeAndChoices)
 TEST(Parameters, AnnotationHasMeaningUnitAndRange)
 {
   ParameterHandler prm;
-  declare_all(prm);
+  declare_entries(prm);
   EXPECT_NE(parameter_text(prm, true).find(
               "# [kg/m^3] Of the gas. Allowed: a number from 0 to 100000.\n"
               "set Density = 1.4\n"),
@@ -271,7 +277,7 @@ TEST(Parameters, FilesAreFoundBesideTheParameterFile)
   std::ofstream("beside/table.csv") << "1\n";
   std::ofstream("beside/scene.prm") << "set Table = table.csv\n";
   ParameterHandler prm;
-  declare_all(prm);
+  declare_entries(prm);
   apply_assignments(read_assignments("beside/scene.prm"), prm);
   EXPECT_EQ(prm.get("Table"),
             (std::filesystem::current_path() / "beside/table.csv").string());

@@ -27,7 +27,7 @@ void declare_body(ParameterHandler &prm)
                  used_with("Body/Surface/Organs not none", "Angle."));
 }
 
-void declare_all(ParameterHandler &prm)
+void declare_sections(ParameterHandler &prm)
 {
   declare_string(prm, "Points", "", "Of probes.");
   declare_string(prm, "Lines", "", "Of probes.");
@@ -58,7 +58,7 @@ unused_of(const std::vector<std::string> &texts,
           const std::vector<std::string> &overrides = {})
 {
   ParameterHandler prm;
-  declare_all(prm);
+  declare_sections(prm);
   std::vector<Assignment> assignments;
   for (const std::string &text : texts)
   {
@@ -77,7 +77,7 @@ using Lines = std::vector<std::string>;
 TEST(UsedWith, IsInTheHelpText)
 {
   ParameterHandler prm;
-  declare_all(prm);
+  declare_sections(prm);
   EXPECT_NE(
     parameter_text(prm, true).find("Triangles. Used with Body/Kind = surface."),
     std::string::npos);
@@ -137,7 +137,7 @@ TEST(UsedWith, IsSilentAboutIncludedFiles)
   const auto warnings = [](const std::string &own) {
     std::ofstream("with_preset.prm") << own;
     ParameterHandler prm;
-    declare_all(prm);
+    declare_sections(prm);
     const auto assignments = read_assignments("with_preset.prm");
     apply_assignments(assignments, prm);
     return find_unused(prm, assignments);

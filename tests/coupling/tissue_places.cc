@@ -6,6 +6,7 @@
 #include <contrecoup/geometry/body/phantom.h>
 #include <contrecoup/geometry/mesh/hex_mesh.h>
 
+#include "../set_entries.h"
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,11 +20,7 @@ namespace
 {
 BodyPointer standing_man()
 {
-  dealii::ParameterHandler prm;
-  Phantom::declare_parameters(prm);
-  Phantom description;
-  description.parse_parameters(prm);
-  return description.create();
+  return described<Phantom>({}).create();
 }
 
 

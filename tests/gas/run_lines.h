@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include <contrecoup/gas/octree/scheme.h>
+
 #include <cmath>
 #include <string>
 #include <vector>
@@ -15,6 +17,17 @@ inline std::vector<std::string> operator+(std::vector<std::string> a,
 {
   a.insert(a.end(), b.begin(), b.end());
   return a;
+}
+
+
+/// A scheme with @p n points along an edge.
+inline Scheme make_scheme(const bool is_galerkin, const unsigned int n)
+{
+  Scheme scheme;
+  scheme.kind = is_galerkin ? Scheme::Kind::discontinuous_galerkin
+                            : Scheme::Kind::finite_volume;
+  scheme.n_points = n;
+  return scheme;
 }
 
 

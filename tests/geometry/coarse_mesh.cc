@@ -22,12 +22,7 @@ namespace
 template <int dim>
 CoarseMesh<dim> parse(const std::vector<std::string> &lines)
 {
-  dealii::ParameterHandler prm;
-  CoarseMesh<dim>::declare_parameters(prm);
-  set_entries(prm, lines);
-  CoarseMesh<dim> mesh;
-  mesh.parse_parameters(prm);
-  return mesh;
+  return described<CoarseMesh<dim>>(lines);
 }
 
 

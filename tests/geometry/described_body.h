@@ -3,10 +3,10 @@
 
 #pragma once
 
-#include <contrecoup/base/parameters/parameter_tree.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/geometry/body/body_description.h>
 
+#include "../set_entries.h"
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -18,14 +18,8 @@ namespace contrecoup
 inline BodyPointer described_body(std::vector<std::string> entries,
                                   const std::vector<std::string> &more)
 {
-  dealii::ParameterHandler prm;
-  BodyDescription::declare_parameters(prm);
   entries.insert(entries.end(), more.begin(), more.end());
-  for (const std::string &line : entries)
-    apply_assignments({parse_override(line)}, prm);
-  BodyDescription description;
-  description.parse_parameters(prm);
-  return description.create();
+  return described<BodyDescription>(entries).create();
 }
 
 /// A folder for files of one test.

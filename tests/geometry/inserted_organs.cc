@@ -11,6 +11,7 @@
 #include <contrecoup/geometry/shape/primitive_shapes.h>
 #include <contrecoup/geometry/shape/triangulated_surface.h>
 
+#include "../set_entries.h"
 #include <gtest/gtest.h>
 
 #include <map>
@@ -23,13 +24,7 @@ namespace
 BodyPointer make_man(const std::string &stature = "1.756",
                      const std::string &mass = "78.5")
 {
-  dealii::ParameterHandler prm;
-  Phantom::declare_parameters(prm);
-  prm.set("Stature", stature);
-  prm.set("Mass", mass);
-  Phantom description;
-  description.parse_parameters(prm);
-  return description.create();
+  return described<Phantom>({"Stature=" + stature, "Mass=" + mass}).create();
 }
 
 

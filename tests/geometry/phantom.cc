@@ -15,12 +15,7 @@ namespace
 {
 BodyDescription describe(const std::vector<std::string> &lines)
 {
-  dealii::ParameterHandler prm;
-  BodyDescription::declare_parameters(prm);
-  set_entries(prm, lines);
-  BodyDescription description;
-  description.parse_parameters(prm);
-  return description;
+  return described<BodyDescription>(lines);
 }
 
 /// Cubes by part, and the grid they are in.

@@ -21,12 +21,7 @@ namespace
 {
 ErrorMeasure measure(const std::vector<std::string> &overrides)
 {
-  dealii::ParameterHandler prm;
-  ErrorMeasure::declare_parameters(prm);
-  set_entries(prm, overrides, "Error/");
-  ErrorMeasure result;
-  result.parse_parameters(prm);
-  return result;
+  return described<ErrorMeasure>(overrides, "Error/");
 }
 
 const auto summary = nlohmann::json::parse(

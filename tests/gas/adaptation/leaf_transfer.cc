@@ -16,27 +16,10 @@ using dealii::Point;
 
 namespace
 {
-Scheme make_scheme(const bool is_galerkin, const unsigned int n)
-{
-  Scheme scheme;
-  scheme.kind = is_galerkin ? Scheme::Kind::discontinuous_galerkin
-                            : Scheme::Kind::finite_volume;
-  scheme.n_points = n;
-  return scheme;
-}
-
-
 GasMaterial make_material(const bool mixture)
 {
-  dealii::ParameterHandler prm;
-  GasMaterial::declare_parameters(prm);
-  if (mixture)
-  {
-    set_entries(prm, products_in_air());
-  }
-  GasMaterial material;
-  material.parse_parameters(prm);
-  return material;
+  return described<GasMaterial>(mixture ? products_in_air()
+                                        : std::vector<std::string>());
 }
 
 

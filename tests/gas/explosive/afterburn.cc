@@ -17,12 +17,7 @@ namespace
 {
 Afterburn parse(const std::vector<std::string> &lines)
 {
-  dealii::ParameterHandler prm;
-  Afterburn::declare_parameters(prm);
-  set_entries(prm, lines, "Afterburn/");
-  Afterburn afterburn;
-  afterburn.parse_parameters(prm);
-  return afterburn;
+  return described<Afterburn>(lines, "Afterburn/");
 }
 
 /// Products of one pressure in half of a box, air of another in the rest.

@@ -4,6 +4,7 @@
 #include <contrecoup/gas/octree/leaf_points.h>
 #include <contrecoup/gas/state/leaf_sampling.h>
 
+#include "run_lines.h"
 #include <gtest/gtest.h>
 
 #include <set>
@@ -14,16 +15,6 @@ using dealii::Point;
 
 namespace
 {
-Scheme make_scheme(const bool is_galerkin, const unsigned int n)
-{
-  Scheme scheme;
-  scheme.kind = is_galerkin ? Scheme::Kind::discontinuous_galerkin
-                            : Scheme::Kind::finite_volume;
-  scheme.n_points = n;
-  return scheme;
-}
-
-
 template <int dim>
 double whole_volume(const LeafPoints<dim> &points, const LeafBox<dim> &box)
 {

@@ -436,8 +436,7 @@ TEST(GaugeTables, KnowLungsOfAnEndlessPhaseThatKillsNobody)
                 !is_cut && peak < 100e3);
       // A wave that is simple needs no bound.
       air.exposure.waves.first_impulse = 0.76 * 300.;
-      if (!is_cut)
-        EXPECT_EQ(mapped_injury_values(air, 70.)[1], values[1]);
+      EXPECT_TRUE(is_cut || mapped_injury_values(air, 70.)[1] == values[1]);
     }
 }
 
@@ -457,8 +456,7 @@ TEST(GaugeTables, TellHowLongTheLoadLastsAmongProducts)
     ASSERT_EQ(rows.size(), is_longer ? 6U : 5U);
     EXPECT_EQ(rows.back()[0],
               is_longer ? "lung_load_duration" : "first_phase_fraction");
-    if (is_longer)
-      EXPECT_EQ(std::stod(rows.back()[2]), 2e-3);
+    EXPECT_TRUE(!is_longer || std::stod(rows.back()[2]) == 2e-3);
   }
 }
 
