@@ -12,6 +12,7 @@
 #include <contrecoup/io/file/checked_file.h>
 #include <contrecoup/io/file/temporary_folder.h>
 #include <contrecoup/materials/explosives.h>
+#include <contrecoup/numerics/injury/blast_injury.h>
 #include <contrecoup/numerics/injury/expected_blast.h>
 #include <contrecoup/numerics/injury/kingery_bulmash.h>
 
@@ -277,6 +278,12 @@ TEST(SceneFiles, CompareEveryExplosiveWithTheTables)
     ASSERT_TRUE(answer);
     EXPECT_EQ(answer->arrival, layout.arrival);
     EXPECT_EQ(answer->in_the_open.overpressure, layout.overpressure);
+    // Bowen et al. 1968: dynamic pressure does not load who lies along the
+    // wave.
+    EXPECT_NEAR(answer->along_body.lung_exposure *
+                  standing_load(layout.overpressure, sea_level_pressure),
+                answer->in_the_open.lung_exposure * layout.overpressure,
+                1e-9 * layout.overpressure);
   }
 }
 

@@ -533,8 +533,10 @@ class ReportTest(unittest.TestCase):
         judged = injury_table.judge(scene)
         self.assertEqual(reservations._along_the_body(scene, judged), [])
         scene.facts["person"]["side_to_charge"] = "feet"
-        self.assertIn("at the feet", reservations._along_the_body(
-            scene, judged)[0])
+        said = reservations._along_the_body(scene, judged)[0]
+        self.assertIn("at the feet", said)
+        self.assertIn("0.56 of what kills half, death by lung injury less than "
+                      "0.1 %", said.replace("\xa0", " "))
 
     def test_eardrums_at_the_nearer_ear(self):
         """Their row has the tables at their distance, in page and file."""

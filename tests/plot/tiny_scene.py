@@ -122,7 +122,9 @@ def write_scene(folder):
                    "source": "TM 5-855-1 (1986)", "burst": "spherical",
                    "answer": {
                        "in_the_open": EFFECT, "before_a_wall": {
-                           **EFFECT, "lung_lethality": 0.0421}},
+                           **EFFECT, "lung_lethality": 0.0421},
+                       "along_body": {**EFFECT, "lung_exposure": 0.56,
+                                      "lung_lethality": 6.3e-4}},
                    "trunk": None},
         "table_comparison": [{"place": "probe 1", **dict(zip((
             "name", "unit", "run", "run_error", "tables", "tables_error",

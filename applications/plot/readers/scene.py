@@ -144,14 +144,15 @@ class Scene(Run):
         """A number of scene.json, or None."""
         return files.as_number(self.facts.get(name))
 
-    def table_answer(self, name, where="answer"):
+    def table_answer(self, name, where="answer",
+                     places=("in_the_open", "before_a_wall")):
         """Values of the tables for a person in the open and before a wall, of
         scene.json, for the nearest skin, at the "trunk" where the load on its
         skin tells of the lungs, or at the "ears"; None each where they have
         none."""
         known = (self.facts.get("tables") or {}).get(where) or {}
         return tuple(files.as_number((known.get(place) or {}).get(name))
-                     for place in ("in_the_open", "before_a_wall"))
+                     for place in places)
 
     def warnings(self):
         """Warnings of all stages, each once, with the stages that had them;

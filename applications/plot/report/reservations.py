@@ -130,11 +130,15 @@ def _askew(scene, judged):
 def _along_the_body(scene, judged):
     """That free-field loads on lungs are of somebody who stands in the wave."""
     side = person.side_to_charge(scene)
-    return [] if side not in ("head", "feet") or not any(
+    where = "trunk" if injury_table.lungs_by(scene) == "skin" else "answer"
+    load, death = (scene.table_answer(name, where, ("along_body",))[0]
+                   for name in comparison.LUNGS)
+    return [] if side not in ("head", "feet") or load is None or not any(
         entry.name in comparison.LUNGS for entry in judged) else [
             f"The charge is at the {side}: the tables' load on the lung is of a person "
-            "who stands, side-on plus dynamic pressure; along the body the "
-            "side-on pressure alone loads it, which is less (Bowen et al. 1968)."]
+            "who stands, side-on plus dynamic pressure; along the body the side-on "
+            f"pressure alone loads it (Bowen et al. 1968): {page.number(load)} of "
+            f"what kills half, death by lung injury {page.chance(death)}."]
 
 
 def _late_tension(scene, judged):

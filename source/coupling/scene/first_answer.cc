@@ -127,7 +127,8 @@ std::optional<TableAnswer> table_answer(const SceneParameters &scene,
                      standing_load(incident, sea_level_pressure),
                      duration,
                      body_mass),
-    effect_on_person(reflected, reflected, duration, body_mass)};
+    effect_on_person(reflected, reflected, duration, body_mass),
+    effect_on_person(incident, incident, duration, body_mass)};
 }
 
 

@@ -334,6 +334,22 @@ std::string PlannedScene::answer_at_trunk() const
 }
 
 
+std::string PlannedScene::answer_along_body() const
+{
+  const std::string side = person_->side_to_charge();
+  const auto there = layout_at_trunk();
+  const auto answer =
+    table_answer(parameters_, there ? *there : *layout_, person_mass());
+  return !answer || (side != "head" && side != "feet")
+           ? ""
+           : "  along the body, from the " + side +
+               ", side-on pressure alone loads the lung in the open: " +
+               brief(answer->along_body.lung_exposure, 2) +
+               " of what kills half, death by lung injury: " +
+               percent(answer->along_body.lung_lethality);
+}
+
+
 std::string PlannedScene::answer_at_ears() const
 {
   const auto there = layout_at_ears();
@@ -362,7 +378,8 @@ std::vector<std::string> PlannedScene::first_answer() const
   if (!has(Tissue::lung))
     lines.push_back("  the body has no lungs: those of an adult of " +
                     brief(person_mass()) + " kg are taken");
-  for (const std::string &line : {answer_at_trunk(), answer_at_ears()})
+  for (const std::string &line :
+       {answer_at_trunk(), answer_along_body(), answer_at_ears()})
     if (!line.empty())
       lines.push_back(line);
   return lines;

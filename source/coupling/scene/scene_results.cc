@@ -220,8 +220,8 @@ namespace
     return {
       {"distance", there->distance},
       {"in_the_open", answer ? effect_of(answer->in_the_open) : io::Json()},
-      {"before_a_wall",
-       answer ? effect_of(answer->before_a_wall) : io::Json()}};
+      {"before_a_wall", answer ? effect_of(answer->before_a_wall) : io::Json()},
+      {"along_body", answer ? effect_of(answer->along_body) : io::Json()}};
   }
 
 
@@ -247,7 +247,8 @@ namespace
                         {"impulse", answer->impulse},
                         {"duration", answer->duration},
                         {"in_the_open", effect_of(answer->in_the_open)},
-                        {"before_a_wall", effect_of(answer->before_a_wall)}};
+                        {"before_a_wall", effect_of(answer->before_a_wall)},
+                        {"along_body", effect_of(answer->along_body)}};
     return json;
   }
 

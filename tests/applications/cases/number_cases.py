@@ -94,6 +94,9 @@ def check_estimate(text, files):
               (r"positive phase (\S+ ms)", answer["duration"]),
               (r"wall there: peak (\S+ kPa)", places[1]["overpressure"])]
     trunk = facts["tables"]["trunk"]
+    if facts["person"].get("side_to_charge") in ("head", "feet"):
+        wanted.append((r"alone loads the lung in the open: (\S+) of",
+                       (trunk or answer)["along_body"]["lung_exposure"]))
     if trunk is not None and trunk["distance"] <= 1.05 * facts["distance"]:
         # The nearest skin is its, and its lungs are told once.
         trunk = None

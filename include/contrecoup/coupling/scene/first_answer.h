@@ -27,8 +27,9 @@ struct TableAnswer
   double arrival;       ///< [s]
   double impulse;       ///< of the positive phase [Pa s]
   double duration;      ///< of the positive phase [s]
-  Effect in_the_open;   ///< under the incident wave
+  Effect in_the_open;   ///< under the incident wave, of who stands
   Effect before_a_wall; ///< under its reflection at a wall, normal incidence
+  Effect along_body;    ///< under its side-on pressure, from head or feet
 };
 
 

@@ -118,6 +118,9 @@ private:
   layout_at(const std::vector<std::string> &parts) const;
   /// Answer of the tables on lungs at layout_at_trunk(); empty without one.
   std::string answer_at_trunk() const;
+  /// The same of a wave along the body; empty unless it comes from head or
+  /// feet.
+  std::string answer_along_body() const;
   /// Answer of the tables on eardrums at layout_at_ears(); empty where it is
   /// the same at the nearest skin.
   std::string answer_at_ears() const;
