@@ -84,7 +84,7 @@ configure() {
 build() {
   local jobs
   jobs=$(build_jobs)
-  say "building with $jobs compiler(s) at once (about 12 minutes)"
+  say "building with $jobs compiler(s) at once"
   local watcher=
   if [ -t 1 ]; then
     watch_build &

@@ -2,7 +2,7 @@
 include(CMakePackageConfigHelpers)
 include(CheckCXXSymbolExists)
 
-set(CONTRECOUP_LAYERS base materials numerics geometry io deal_ii gas solid mpm
+set(CONTRECOUP_LAYERS base materials numerics geometry io deal_ii gas galerkin solid mpm
   ale coupling study)
 set(_package ${CMAKE_INSTALL_LIBDIR}/cmake/Contrecoup)
 set(_targets ${_package})

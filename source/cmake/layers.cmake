@@ -1,4 +1,4 @@
-# contrecoup_add_layer(<name> [COLD] [DEPENDS <lower layer>...]
+# contrecoup_add_layer(<name> [DEPENDS <lower layer>...]
 #   [MODULES <folder>...] [ALONE <folder or source>...])
 #
 # One shared library per layer, contrecoup_<name>, in build/lib; a program need
@@ -7,16 +7,13 @@
 # of the modules, lowest first, or else those beside the CMakeLists.txt. The compiler
 # reads the sources of a folder as one, which halves its work; names in their unnamed
 # namespaces must differ. It reads those of ALONE one by one: kernels, whose code must
-# not depend on what else is there, and parts of one class template; their loops
-# are unrolled. A COLD layer has no kernel, and is optimised less.
+# not depend on what else is there, and parts of one class template; they
+# alone are optimised by -O3.
 function(contrecoup_add_layer name)
-  cmake_parse_arguments(ARG "COLD" "" "DEPENDS;MODULES;ALONE" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "DEPENDS;MODULES;ALONE" ${ARGN})
   set(target contrecoup_${name})
   add_library(${target} SHARED)
   contrecoup_setup_target(${target})
-  if(ARG_COLD)
-    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O2>)
-  endif()
   # Without the macro that CMake defines in each shared library: sources that
   # have another one could not take the precompiled header.
   set_target_properties(${target} PROPERTIES DEFINE_SYMBOL ""

@@ -5,6 +5,7 @@
 programs are built with the installed library: install_test.py CMAKE BUILD.
 The prefix is moved after the installation and is read-only."""
 
+import glob
 import os
 import re
 import shutil
@@ -84,11 +85,20 @@ class InstallTest(unittest.TestCase):
         with open(program, "w", encoding="utf-8") as file:
             file.write('#!/bin/sh\necho "$0" > drawn\n')
         os.chmod(program, 0o755)
-        run(os.path.join(prefix, "bin", "blast"),
-            os.path.join(prefix, FILES, "sod.prm"), "--output", "sod", "--set",
-            "Output/Pictures=true", cwd=self.home, env=self.environment)
+        words = (os.path.join(prefix, "bin", "blast"),
+                 os.path.join(prefix, FILES, "sod.prm"), "--output", "sod", "--set",
+                 "Output/Pictures=true", "--set",
+                 "Method/Scheme=discontinuous galerkin")
+        run(*words, cwd=self.home, env=self.environment)
         with open(os.path.join(self.home, "drawn"), encoding="utf-8") as file:
             self.assertEqual(file.read().strip(), program)
+        # The kernels of the scheme are loaded from beside the others.
+        run("chmod", "u+w", os.path.join(prefix, "lib"))
+        for path in glob.glob(os.path.join(prefix, "lib/*_galerkin.so*")):
+            os.remove(path)
+        with self.assertRaisesRegex(AssertionError,
+                                    "galerkin needs a library that is built"):
+            run(*words, cwd=tempfile.mkdtemp(dir=self.home), env=self.environment)
 
     def test_the_example(self):
         folder = self.build(

@@ -2,8 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/gas/finite_volume/batch_sweep.h>
-#include <contrecoup/materials/ideal_gas.h>
-#include <contrecoup/materials/mie_grueneisen.h>
+#include <contrecoup/gas/stage/kernel_instances.h>
 
 namespace contrecoup::gas
 {
@@ -349,12 +348,8 @@ void BatchSweep<dim, Gas, Real>::fill_line(const unsigned int direction,
 }
 
 
-template class BatchSweep<1, IdealGas>;
-template class BatchSweep<2, IdealGas>;
-template class BatchSweep<3, IdealGas>;
-template class BatchSweep<3, IdealGas, float>;
-template class BatchSweep<1, MieGrueneisen>;
-template class BatchSweep<2, MieGrueneisen>;
-template class BatchSweep<3, MieGrueneisen>;
-template class BatchSweep<3, MieGrueneisen, float>;
+#define CONTRECOUP_INSTANTIATE(dim, Gas, Real) \
+  template class BatchSweep<dim, Gas, Real>
+CONTRECOUP_FOR_KERNELS(CONTRECOUP_INSTANTIATE);
+#undef CONTRECOUP_INSTANTIATE
 } // namespace contrecoup::gas

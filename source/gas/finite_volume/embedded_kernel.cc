@@ -4,8 +4,7 @@
 #include <contrecoup/base/lanes/lane_math.h>
 #include <contrecoup/gas/finite_volume/embedded_kernel.h>
 #include <contrecoup/gas/octree/leaf_box.h>
-#include <contrecoup/materials/ideal_gas.h>
-#include <contrecoup/materials/mie_grueneisen.h>
+#include <contrecoup/gas/stage/kernel_instances.h>
 
 namespace contrecoup::gas
 {
@@ -375,10 +374,8 @@ void EmbeddedKernel<dim, Gas, Real>::analyse(const unsigned int batch,
 }
 
 
-template class EmbeddedKernel<2, IdealGas>;
-template class EmbeddedKernel<3, IdealGas>;
-template class EmbeddedKernel<3, IdealGas, float>;
-template class EmbeddedKernel<2, MieGrueneisen>;
-template class EmbeddedKernel<3, MieGrueneisen>;
-template class EmbeddedKernel<3, MieGrueneisen, float>;
+#define CONTRECOUP_INSTANTIATE(dim, Gas, Real) \
+  template class EmbeddedKernel<dim, Gas, Real>
+CONTRECOUP_FOR_MAPPED_KERNELS(CONTRECOUP_INSTANTIATE);
+#undef CONTRECOUP_INSTANTIATE
 } // namespace contrecoup::gas

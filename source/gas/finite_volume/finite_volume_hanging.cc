@@ -2,8 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/gas/finite_volume/finite_volume_hanging.h>
-#include <contrecoup/materials/ideal_gas.h>
-#include <contrecoup/materials/mie_grueneisen.h>
+#include <contrecoup/gas/stage/kernel_instances.h>
 
 namespace contrecoup::gas
 {
@@ -144,12 +143,8 @@ void FiniteVolumeHanging<dim, Gas, Real>::average_open_fluxes(
 }
 
 
-template class FiniteVolumeHanging<1, IdealGas>;
-template class FiniteVolumeHanging<2, IdealGas>;
-template class FiniteVolumeHanging<3, IdealGas>;
-template class FiniteVolumeHanging<3, IdealGas, float>;
-template class FiniteVolumeHanging<1, MieGrueneisen>;
-template class FiniteVolumeHanging<2, MieGrueneisen>;
-template class FiniteVolumeHanging<3, MieGrueneisen>;
-template class FiniteVolumeHanging<3, MieGrueneisen, float>;
+#define CONTRECOUP_INSTANTIATE(dim, Gas, Real) \
+  template class FiniteVolumeHanging<dim, Gas, Real>
+CONTRECOUP_FOR_KERNELS(CONTRECOUP_INSTANTIATE);
+#undef CONTRECOUP_INSTANTIATE
 } // namespace contrecoup::gas

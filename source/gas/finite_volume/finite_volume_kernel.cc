@@ -2,8 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/gas/finite_volume/finite_volume_kernel.h>
-#include <contrecoup/materials/ideal_gas.h>
-#include <contrecoup/materials/mie_grueneisen.h>
+#include <contrecoup/gas/stage/kernel_instances.h>
 
 namespace contrecoup::gas
 {
@@ -94,12 +93,8 @@ void FiniteVolumeKernel<dim, Gas, Real>::analyse(const unsigned int batch,
 }
 
 
-template class FiniteVolumeKernel<1, IdealGas>;
-template class FiniteVolumeKernel<2, IdealGas>;
-template class FiniteVolumeKernel<3, IdealGas>;
-template class FiniteVolumeKernel<3, IdealGas, float>;
-template class FiniteVolumeKernel<1, MieGrueneisen>;
-template class FiniteVolumeKernel<2, MieGrueneisen>;
-template class FiniteVolumeKernel<3, MieGrueneisen>;
-template class FiniteVolumeKernel<3, MieGrueneisen, float>;
+#define CONTRECOUP_INSTANTIATE(dim, Gas, Real) \
+  template class FiniteVolumeKernel<dim, Gas, Real>
+CONTRECOUP_FOR_KERNELS(CONTRECOUP_INSTANTIATE);
+#undef CONTRECOUP_INSTANTIATE
 } // namespace contrecoup::gas

@@ -3,8 +3,7 @@
 
 #include <contrecoup/gas/finite_volume/hanging_traces.h>
 #include <contrecoup/gas/finite_volume/velocity_slope.h>
-#include <contrecoup/materials/ideal_gas.h>
-#include <contrecoup/materials/mie_grueneisen.h>
+#include <contrecoup/gas/stage/kernel_instances.h>
 
 namespace contrecoup::gas
 {
@@ -375,12 +374,8 @@ void HangingTraces<dim, Gas, Real>::store(const HangingGroup<dim> &group,
 }
 
 
-template class HangingTraces<1, IdealGas>;
-template class HangingTraces<2, IdealGas>;
-template class HangingTraces<3, IdealGas>;
-template class HangingTraces<3, IdealGas, float>;
-template class HangingTraces<1, MieGrueneisen>;
-template class HangingTraces<2, MieGrueneisen>;
-template class HangingTraces<3, MieGrueneisen>;
-template class HangingTraces<3, MieGrueneisen, float>;
+#define CONTRECOUP_INSTANTIATE(dim, Gas, Real) \
+  template class HangingTraces<dim, Gas, Real>
+CONTRECOUP_FOR_KERNELS(CONTRECOUP_INSTANTIATE);
+#undef CONTRECOUP_INSTANTIATE
 } // namespace contrecoup::gas

@@ -3,8 +3,7 @@
 
 #include <contrecoup/base/lanes/lane_math.h>
 #include <contrecoup/gas/finite_volume/leaf_kernel.h>
-#include <contrecoup/materials/ideal_gas.h>
-#include <contrecoup/materials/mie_grueneisen.h>
+#include <contrecoup/gas/stage/kernel_instances.h>
 
 namespace contrecoup::gas
 {
@@ -200,12 +199,8 @@ void LeafKernel<dim, Gas, Real>::fill_boundary(const SpecialFace &special,
 }
 
 
-template class LeafKernel<1, IdealGas>;
-template class LeafKernel<2, IdealGas>;
-template class LeafKernel<3, IdealGas>;
-template class LeafKernel<3, IdealGas, float>;
-template class LeafKernel<1, MieGrueneisen>;
-template class LeafKernel<2, MieGrueneisen>;
-template class LeafKernel<3, MieGrueneisen>;
-template class LeafKernel<3, MieGrueneisen, float>;
+#define CONTRECOUP_INSTANTIATE(dim, Gas, Real) \
+  template class LeafKernel<dim, Gas, Real>
+CONTRECOUP_FOR_KERNELS(CONTRECOUP_INSTANTIATE);
+#undef CONTRECOUP_INSTANTIATE
 } // namespace contrecoup::gas

@@ -3,8 +3,7 @@
 
 #include <contrecoup/base/lanes/lane_math.h>
 #include <contrecoup/gas/finite_volume/mapped_finite_volume_kernel.h>
-#include <contrecoup/materials/ideal_gas.h>
-#include <contrecoup/materials/mie_grueneisen.h>
+#include <contrecoup/gas/stage/kernel_instances.h>
 
 namespace contrecoup::gas
 {
@@ -172,10 +171,8 @@ void MappedFiniteVolumeKernel<dim, Gas, Real>::limit_increments(
 }
 
 
-template class MappedFiniteVolumeKernel<2, IdealGas>;
-template class MappedFiniteVolumeKernel<3, IdealGas>;
-template class MappedFiniteVolumeKernel<3, IdealGas, float>;
-template class MappedFiniteVolumeKernel<2, MieGrueneisen>;
-template class MappedFiniteVolumeKernel<3, MieGrueneisen>;
-template class MappedFiniteVolumeKernel<3, MieGrueneisen, float>;
+#define CONTRECOUP_INSTANTIATE(dim, Gas, Real) \
+  template class MappedFiniteVolumeKernel<dim, Gas, Real>
+CONTRECOUP_FOR_MAPPED_KERNELS(CONTRECOUP_INSTANTIATE);
+#undef CONTRECOUP_INSTANTIATE
 } // namespace contrecoup::gas

@@ -2,8 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/gas/finite_volume/mapped_hanging.h>
-#include <contrecoup/materials/ideal_gas.h>
-#include <contrecoup/materials/mie_grueneisen.h>
+#include <contrecoup/gas/stage/kernel_instances.h>
 
 namespace contrecoup::gas
 {
@@ -138,10 +137,8 @@ MappedHanging<dim, Gas, Real>::exerted_pressure(const Values &state,
 }
 
 
-template class MappedHanging<2, IdealGas>;
-template class MappedHanging<3, IdealGas>;
-template class MappedHanging<3, IdealGas, float>;
-template class MappedHanging<2, MieGrueneisen>;
-template class MappedHanging<3, MieGrueneisen>;
-template class MappedHanging<3, MieGrueneisen, float>;
+#define CONTRECOUP_INSTANTIATE(dim, Gas, Real) \
+  template class MappedHanging<dim, Gas, Real>
+CONTRECOUP_FOR_MAPPED_KERNELS(CONTRECOUP_INSTANTIATE);
+#undef CONTRECOUP_INSTANTIATE
 } // namespace contrecoup::gas

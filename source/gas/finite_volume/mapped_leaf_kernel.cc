@@ -3,8 +3,7 @@
 
 #include <contrecoup/base/lanes/lane_math.h>
 #include <contrecoup/gas/finite_volume/mapped_leaf_kernel.h>
-#include <contrecoup/materials/ideal_gas.h>
-#include <contrecoup/materials/mie_grueneisen.h>
+#include <contrecoup/gas/stage/kernel_instances.h>
 #include <contrecoup/numerics/scheme/shear_factor.h>
 
 namespace contrecoup::gas
@@ -259,10 +258,8 @@ MappedLeafKernel<dim, Gas, Real>::face_flux(const unsigned int direction,
 }
 
 
-template class MappedLeafKernel<2, IdealGas>;
-template class MappedLeafKernel<3, IdealGas>;
-template class MappedLeafKernel<3, IdealGas, float>;
-template class MappedLeafKernel<2, MieGrueneisen>;
-template class MappedLeafKernel<3, MieGrueneisen>;
-template class MappedLeafKernel<3, MieGrueneisen, float>;
+#define CONTRECOUP_INSTANTIATE(dim, Gas, Real) \
+  template class MappedLeafKernel<dim, Gas, Real>
+CONTRECOUP_FOR_MAPPED_KERNELS(CONTRECOUP_INSTANTIATE);
+#undef CONTRECOUP_INSTANTIATE
 } // namespace contrecoup::gas

@@ -3,8 +3,7 @@
 
 #include <contrecoup/base/lanes/lane_math.h>
 #include <contrecoup/gas/galerkin/galerkin_faces.h>
-#include <contrecoup/materials/ideal_gas.h>
-#include <contrecoup/materials/mie_grueneisen.h>
+#include <contrecoup/gas/stage/kernel_instances.h>
 
 namespace contrecoup::gas
 {
@@ -337,12 +336,8 @@ void GalerkinFaces<dim, Gas, Real>::integrate(const unsigned int side)
 }
 
 
-template class GalerkinFaces<1, IdealGas, double>;
-template class GalerkinFaces<2, IdealGas, double>;
-template class GalerkinFaces<3, IdealGas, double>;
-template class GalerkinFaces<3, IdealGas, float>;
-template class GalerkinFaces<1, MieGrueneisen, double>;
-template class GalerkinFaces<2, MieGrueneisen, double>;
-template class GalerkinFaces<3, MieGrueneisen, double>;
-template class GalerkinFaces<3, MieGrueneisen, float>;
+#define CONTRECOUP_INSTANTIATE(dim, Gas, Real) \
+  template class GalerkinFaces<dim, Gas, Real>
+CONTRECOUP_FOR_KERNELS(CONTRECOUP_INSTANTIATE);
+#undef CONTRECOUP_INSTANTIATE
 } // namespace contrecoup::gas

@@ -3,8 +3,7 @@
 
 #include <contrecoup/base/lanes/lane_math.h>
 #include <contrecoup/gas/galerkin/galerkin_faces.h>
-#include <contrecoup/materials/ideal_gas.h>
-#include <contrecoup/materials/mie_grueneisen.h>
+#include <contrecoup/gas/stage/kernel_instances.h>
 
 #include <deal.II/base/quadrature_lib.h>
 
@@ -93,11 +92,6 @@ void GalerkinFaces<dim, Gas, Real>::integrate_hanging(const unsigned int side)
     const unsigned int);                                              \
   template void GalerkinFaces<dim, Gas, Real>::mapped_hanging_fluxes()
 
-CONTRECOUP_INSTANTIATE(2, IdealGas, double);
-CONTRECOUP_INSTANTIATE(3, IdealGas, double);
-CONTRECOUP_INSTANTIATE(3, IdealGas, float);
-CONTRECOUP_INSTANTIATE(2, MieGrueneisen, double);
-CONTRECOUP_INSTANTIATE(3, MieGrueneisen, double);
-CONTRECOUP_INSTANTIATE(3, MieGrueneisen, float);
+CONTRECOUP_FOR_MAPPED_KERNELS(CONTRECOUP_INSTANTIATE);
 #undef CONTRECOUP_INSTANTIATE
 } // namespace contrecoup::gas

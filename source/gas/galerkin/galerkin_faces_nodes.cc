@@ -3,8 +3,7 @@
 
 #include <contrecoup/base/lanes/lane_math.h>
 #include <contrecoup/gas/galerkin/galerkin_faces.h>
-#include <contrecoup/materials/ideal_gas.h>
-#include <contrecoup/materials/mie_grueneisen.h>
+#include <contrecoup/gas/stage/kernel_instances.h>
 #include <contrecoup/numerics/scheme/shear_factor.h>
 
 namespace contrecoup::gas
@@ -335,13 +334,6 @@ void GalerkinFaces<dim, Gas, Real>::blend_nodal(const unsigned int side)
     const std::array<Lanes<Real>, n_conserved<dim, Gas>> &,    \
     const bool) const
 
-CONTRECOUP_INSTANTIATE(1, IdealGas, double);
-CONTRECOUP_INSTANTIATE(2, IdealGas, double);
-CONTRECOUP_INSTANTIATE(3, IdealGas, double);
-CONTRECOUP_INSTANTIATE(3, IdealGas, float);
-CONTRECOUP_INSTANTIATE(1, MieGrueneisen, double);
-CONTRECOUP_INSTANTIATE(2, MieGrueneisen, double);
-CONTRECOUP_INSTANTIATE(3, MieGrueneisen, double);
-CONTRECOUP_INSTANTIATE(3, MieGrueneisen, float);
+CONTRECOUP_FOR_KERNELS(CONTRECOUP_INSTANTIATE);
 #undef CONTRECOUP_INSTANTIATE
 } // namespace contrecoup::gas

@@ -4,8 +4,7 @@
 #include <contrecoup/base/lanes/lane_math.h>
 #include <contrecoup/gas/galerkin/galerkin_leaves.h>
 #include <contrecoup/gas/galerkin/scaling_to_mean.h>
-#include <contrecoup/materials/ideal_gas.h>
-#include <contrecoup/materials/mie_grueneisen.h>
+#include <contrecoup/gas/stage/kernel_instances.h>
 
 namespace contrecoup::gas
 {
@@ -469,12 +468,8 @@ GalerkinLeaves<dim, Gas, Real>::largest_signal_rate() const
 }
 
 
-template class GalerkinLeaves<1, IdealGas, double>;
-template class GalerkinLeaves<2, IdealGas, double>;
-template class GalerkinLeaves<3, IdealGas, double>;
-template class GalerkinLeaves<3, IdealGas, float>;
-template class GalerkinLeaves<1, MieGrueneisen, double>;
-template class GalerkinLeaves<2, MieGrueneisen, double>;
-template class GalerkinLeaves<3, MieGrueneisen, double>;
-template class GalerkinLeaves<3, MieGrueneisen, float>;
+#define CONTRECOUP_INSTANTIATE(dim, Gas, Real) \
+  template class GalerkinLeaves<dim, Gas, Real>
+CONTRECOUP_FOR_KERNELS(CONTRECOUP_INSTANTIATE);
+#undef CONTRECOUP_INSTANTIATE
 } // namespace contrecoup::gas

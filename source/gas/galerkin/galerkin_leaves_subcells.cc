@@ -4,8 +4,7 @@
 #include <contrecoup/base/deal_ii/releases.h>
 #include <contrecoup/base/lanes/lane_math.h>
 #include <contrecoup/gas/galerkin/galerkin_leaves.h>
-#include <contrecoup/materials/ideal_gas.h>
-#include <contrecoup/materials/mie_grueneisen.h>
+#include <contrecoup/gas/stage/kernel_instances.h>
 #include <contrecoup/numerics/scheme/shear_factor.h>
 
 namespace contrecoup::gas
@@ -310,13 +309,6 @@ GalerkinLeaves<dim, Gas, Real>::compression(const unsigned int direction,
 #define CONTRECOUP_INSTANTIATE(dim, Gas, Real) \
   template void GalerkinLeaves<dim, Gas, Real>::add_subcell_terms(const Real *)
 
-CONTRECOUP_INSTANTIATE(1, IdealGas, double);
-CONTRECOUP_INSTANTIATE(2, IdealGas, double);
-CONTRECOUP_INSTANTIATE(3, IdealGas, double);
-CONTRECOUP_INSTANTIATE(3, IdealGas, float);
-CONTRECOUP_INSTANTIATE(1, MieGrueneisen, double);
-CONTRECOUP_INSTANTIATE(2, MieGrueneisen, double);
-CONTRECOUP_INSTANTIATE(3, MieGrueneisen, double);
-CONTRECOUP_INSTANTIATE(3, MieGrueneisen, float);
+CONTRECOUP_FOR_KERNELS(CONTRECOUP_INSTANTIATE);
 #undef CONTRECOUP_INSTANTIATE
 } // namespace contrecoup::gas

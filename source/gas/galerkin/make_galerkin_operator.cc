@@ -109,13 +109,9 @@ make_galerkin_operator(const OperatorContext<dim> &context,
 }
 
 
-#define CONTRECOUP_INSTANTIATE(dim, Real)                                  \
-  template std::unique_ptr<GasOperator<dim, Real>> make_galerkin_operator( \
-    const OperatorContext<dim> &, const GasMaterial &)
-
-CONTRECOUP_INSTANTIATE(1, double);
-CONTRECOUP_INSTANTIATE(2, double);
-CONTRECOUP_INSTANTIATE(3, double);
-CONTRECOUP_INSTANTIATE(3, float);
-#undef CONTRECOUP_INSTANTIATE
+const GalerkinMakers contrecoup_galerkin_makers = {
+  make_galerkin_operator<1, double>,
+  make_galerkin_operator<2, double>,
+  make_galerkin_operator<3, double>,
+  make_galerkin_operator<3, float>};
 } // namespace contrecoup::gas

@@ -3,8 +3,8 @@
 
 #include <contrecoup/base/system/timers.h>
 #include <contrecoup/gas/finite_volume/make_finite_volume_operator.h>
-#include <contrecoup/gas/galerkin/make_galerkin_operator.h>
 #include <contrecoup/gas/octree/ghost_exchange.h>
+#include <contrecoup/gas/stage/galerkin_makers.h>
 #include <contrecoup/gas/stepping/time_stepper.h>
 
 #include <deal.II/base/aligned_vector.h>
@@ -28,7 +28,8 @@ namespace
       , scheme_(context.scheme)
       , operator_(scheme_.kind == Scheme::Kind::finite_volume
                     ? make_finite_volume_operator<dim, Real>(context, material)
-                    : make_galerkin_operator<dim, Real>(context, material))
+                    : std::get<OperatorMaker<dim, Real>>(
+                        galerkin_makers())(context, material))
       , quiet_leaves_(quiet_leaves)
     {}
 
