@@ -535,7 +535,7 @@ class ReportTest(unittest.TestCase):
         scene.facts["person"]["side_to_charge"] = "feet"
         said = reservations._along_the_body(scene, judged)[0]
         self.assertIn("at the feet", said)
-        self.assertIn("0.56 of what kills half, death by lung injury less than "
+        self.assertIn("0.560 of what kills half, death by lung injury less than "
                       "0.1 %", said.replace("\xa0", " "))
 
     def test_eardrums_at_the_nearer_ear(self):

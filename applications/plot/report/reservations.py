@@ -130,7 +130,7 @@ def _askew(scene, judged):
 def _along_the_body(scene, judged):
     """That free-field loads on lungs are of somebody who stands in the wave."""
     side = person.side_to_charge(scene)
-    where = "trunk" if injury_table.lungs_by(scene) == "skin" else "answer"
+    where = "trunk" if (scene.facts.get("tables") or {}).get("trunk") else "answer"
     load, death = (scene.table_answer(name, where, ("along_body",))[0]
                    for name in comparison.LUNGS)
     return [] if side not in ("head", "feet") or load is None or not any(
