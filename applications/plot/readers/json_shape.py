@@ -21,8 +21,8 @@ _ASSUMPTION = {**_all(WORDS, "decision quantity unit entry"),
 _VALUE = {"value": NUMBER, "unit": WORDS}
 _ROW = {**_all(WORDS, "item decision quantity estimate found limit entry"),
         "holds": TRUTH}
-# By tables for the open and before a wall.
-_ANSWER = _all({"*": NUMBER}, "in_the_open before_a_wall")
+# By tables for the open, before a wall and for who lies along the blast.
+_ANSWER = _all({"*": NUMBER}, "in_the_open before_a_wall along_body")
 # A list is one of such things, with a number behind it of so many; "*" stands
 # for any other name.
 SCENE = {

@@ -133,7 +133,7 @@ def _along_the_body(scene, judged):
     where = "trunk" if (scene.facts.get("tables") or {}).get("trunk") else "answer"
     load, death = (scene.table_answer(name, where, ("along_body",))[0]
                    for name in comparison.LUNGS)
-    return [] if side not in ("head", "feet") or load is None or not any(
+    return [] if side not in ("head", "feet") or None in (load, death) or not any(
         entry.name in comparison.LUNGS for entry in judged) else [
             f"The charge is at the {side}: the tables' load on the lung is of a person "
             "who stands, side-on plus dynamic pressure; along the body the side-on "
