@@ -36,11 +36,13 @@ struct ModelBias
 };
 
 /**
- * The difference at a distance [m] from a charge, measured for 1 kg of each
- * explosive of the library with its usual afterburn in 1-D
+ * The difference at a distance [m] from a charge, measured for each explosive
+ * of the library with its usual afterburn in 1-D
  * (parameter_files/study/explosive_bias.prm) at scaled distances of 1 to 6
- * m/kg^(1/3), and linear between their logarithms. Unknown for explosives and
- * afterburn of the user, for charges on the ground, and elsewhere.
+ * m/kg^(1/3) and masses of 0.1 to 100 kg, since afterburn takes the same time
+ * whatever the mass, and linear between their logarithms. Unknown for
+ * explosives and afterburn of the user, for charges on the ground, where it
+ * jumps, and elsewhere.
  */
 ModelBias model_bias(const BiasedBurst &burst, double distance);
 
