@@ -131,6 +131,21 @@ TEST(LoadFile, IsReadAsWritten)
 }
 
 
+// A phase that a checkpoint cut off ends later.
+TEST(LoadFile, NumbersReplaceThoseBefore)
+{
+  write_loads("loads.h5", make_facets());
+  LoadFile file("loads.h5");
+  file.write(
+    LoadFile::Numbers{{"loads_ear_peak", 1.}, {"loads_ear_cut_off", 1.}});
+  file.write(LoadFile::Numbers{{"loads_ear_peak", 2.}});
+  const Hdf5Input input("loads.h5");
+  EXPECT_EQ(input.number("loads_ear_peak"), 2.);
+  EXPECT_FALSE(input.has_attribute("loads_ear_cut_off"));
+  EXPECT_TRUE(input.has_attribute("application"));
+}
+
+
 TEST(LoadFile, TheSeriesListsEachSample)
 {
   write_loads("loads.h5", make_facets());

@@ -90,6 +90,20 @@ namespace io
     }
 
 
+    /// Adds the name of an attribute that is a number to a list.
+    herr_t add_number(const hid_t file,
+                      const char *const name,
+                      const H5A_info_t *,
+                      void *const names)
+    {
+      const Hdf5Handle attribute(H5Aopen(file, name, H5P_DEFAULT), H5Aclose);
+      const Hdf5Handle type(H5Aget_type(attribute), H5Tclose);
+      if (H5Tget_class(type) == H5T_FLOAT)
+        static_cast<std::vector<std::string> *>(names)->emplace_back(name);
+      return 0;
+    }
+
+
     void write_text(const hid_t file,
                     const std::string &name,
                     const std::string &text,
@@ -184,15 +198,21 @@ namespace io
     }
 
 
-    /// Properties of compressed datasets.
-    Handle compressed(const std::vector<hsize_t> &chunk,
-                      const std::string &path)
+    /// Creates a compressed dataset.
+    Handle create(const hid_t file,
+                  const std::string &name,
+                  const hid_t type,
+                  const hid_t space,
+                  const std::vector<hsize_t> &chunk,
+                  const std::string &path)
     {
-      const hid_t properties = H5Pcreate(H5P_DATASET_CREATE);
+      const Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, path);
       check(H5Pset_chunk(properties, chunk.size(), chunk.data()), path);
       check(H5Pset_shuffle(properties), path);
       check(H5Pset_deflate(properties, 4), path);
-      return Handle(properties, H5Pclose, path);
+      const hid_t data = H5Dcreate2(
+        file, name.c_str(), type, space, H5P_DEFAULT, properties, H5P_DEFAULT);
+      return Handle(data, H5Dclose, path);
     }
 
 
@@ -206,18 +226,9 @@ namespace io
     {
       std::vector<hsize_t> chunk = size;
       chunk[0] = std::min<hsize_t>(chunk[0], 1 << 16);
-      const Handle properties = compressed(chunk, path);
       const Handle space(
         H5Screate_simple(size.size(), size.data(), nullptr), H5Sclose, path);
-      const Handle data(H5Dcreate2(file,
-                                   name.c_str(),
-                                   type,
-                                   space,
-                                   H5P_DEFAULT,
-                                   properties,
-                                   H5P_DEFAULT),
-                        H5Dclose,
-                        path);
+      const Handle data = create(file, name, type, space, chunk, path);
       check(H5Dwrite(data, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), path);
       describe(file, name, path);
     }
@@ -276,18 +287,7 @@ namespace io
         H5Screate_simple(size.size(), size.data(), largest.data()),
         H5Sclose,
         path);
-      const Handle properties = compressed(chunk, path);
-      {
-        const Handle data(H5Dcreate2(file,
-                                     name.c_str(),
-                                     type,
-                                     space,
-                                     H5P_DEFAULT,
-                                     properties,
-                                     H5P_DEFAULT),
-                          H5Dclose,
-                          path);
-      }
+      create(file, name, type, space, chunk, path);
       describe(file, name, path);
     }
 
@@ -397,6 +397,13 @@ namespace io
   void LoadFile::write(const Numbers &numbers)
   {
     const Handle file = open_file(path_);
+    // A checkpoint has others, as of phases that have ended since.
+    std::vector<std::string> old;
+    check(H5Aiterate2(
+            file, H5_INDEX_NAME, H5_ITER_NATIVE, nullptr, add_number, &old),
+          path_);
+    for (const std::string &name : old)
+      check(H5Adelete(file, name.c_str()), path_);
     for (const auto &[name, value] : numbers)
       write_attribute(file, name, H5T_NATIVE_DOUBLE, &value, path_);
   }

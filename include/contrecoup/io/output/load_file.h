@@ -64,7 +64,7 @@ namespace io
     void append(const std::vector<double> &times,
                 const std::vector<float> &overpressures);
 
-    /// Writes or overwrites a number for each facet, or attributes.
+    /// Writes or overwrites a number for each facet, or all attributes.
     /// @throws SystemError
     void write(const std::string &name, const std::vector<double> &values);
     void write(const Numbers &numbers);
