@@ -20,15 +20,6 @@ double SolidMaterial::relaxation_modulus(const double time) const
 }
 
 
-std::complex<double>
-SolidMaterial::dynamic_shear(const double angular_frequency) const
-{
-  const std::complex<double> phase(0., angular_frequency * relaxation_time);
-  return instantaneous_shear - relaxing_shear +
-         relaxing_shear * phase / (1. + phase);
-}
-
-
 double SolidMaterial::stiffening(const double dilatation) const
 {
   return gas.exists() ? gas.stiffness(dilatation) : 1.;

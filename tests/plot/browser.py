@@ -159,13 +159,6 @@ class Browser:
         with open(path, "wb") as file:
             file.write(base64.b64decode(content))
 
-    def photograph(self, path):
-        """The whole page as a PNG picture."""
-        content = self.call("Page.captureScreenshot",
-                            captureBeyondViewport=True)["data"]
-        with open(path, "wb") as file:
-            file.write(base64.b64decode(content))
-
 
 def _complaints(events):
     """Errors and warnings on the console."""

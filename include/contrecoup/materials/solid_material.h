@@ -8,7 +8,6 @@
 #include <contrecoup/materials/tissue_library.h>
 
 #include <array>
-#include <complex>
 #include <string>
 #include <vector>
 
@@ -67,9 +66,6 @@ struct SolidMaterial
 
   /// G(t) [Pa] at a time after a step in strain [s].
   double relaxation_modulus(double time) const;
-
-  /// Complex modulus G*(omega) [Pa] at an angular frequency [rad/s].
-  std::complex<double> dynamic_shear(double angular_frequency) const;
 
   /// -dp/dJ over K at a dilatation: stiffening or softening in volume.
   double stiffening(double dilatation) const;

@@ -74,13 +74,6 @@ double SedovSolution::shock_radius(const double time) const
 }
 
 
-double SedovSolution::shock_time(const double radius) const
-{
-  return std::sqrt(alpha_ * density_ * std::pow(radius, dimension_ + 2.) /
-                   energy_);
-}
-
-
 RadialState SedovSolution::behind_shock(const double time) const
 {
   const double shock_speed = 2. / (dimension_ + 2.) * shock_radius(time) / time;

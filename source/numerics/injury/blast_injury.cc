@@ -26,14 +26,6 @@ double lung_median_lethal_overpressure(const double duration,
 }
 
 
-double lung_threshold_overpressure(const double duration,
-                                   const double mass,
-                                   const double ambient_pressure)
-{
-  return lung_median_lethal_overpressure(duration, mass, ambient_pressure) / 5.;
-}
-
-
 double lung_lethality_probability(const double exposure)
 {
   return injury_curve("lung_lethality").probability(exposure);

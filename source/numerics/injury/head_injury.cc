@@ -137,20 +137,4 @@ double weighted_percentile(const std::vector<double> &values,
   }
   return values[order.back()];
 }
-
-
-double weighted_part_above(const std::vector<double> &values,
-                           const std::vector<double> &weights,
-                           const double limit)
-{
-  check_sample(values, weights);
-  double above = 0., all = 0.;
-  for (std::size_t i = 0; i < values.size(); ++i)
-  {
-    all += weights[i];
-    if (values[i] > limit)
-      above += weights[i];
-  }
-  return all > 0. ? above / all : 0.;
-}
 } // namespace contrecoup

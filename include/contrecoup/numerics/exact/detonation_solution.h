@@ -37,14 +37,10 @@ public:
     return front_;
   }
 
-  /// Speed of the core's edge [m/s]; core_pressure() in Pa.
+  /// Speed of the core's edge [m/s].
   double core_speed() const
   {
     return points_.front().speed;
-  }
-  double core_pressure() const
-  {
-    return points_.front().state.pressure;
   }
 
   /// State at @p speed = r / t [m/s], at most D.

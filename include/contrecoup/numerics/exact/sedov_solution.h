@@ -37,9 +37,6 @@ public:
   /// Radius of the shock at @p time [m].
   double shock_radius(double time) const;
 
-  /// Time at which the shock is at @p radius [s].
-  double shock_time(double radius) const;
-
   /// State just behind the shock at @p time > 0.
   RadialState behind_shock(double time) const;
 

@@ -26,13 +26,6 @@ double lung_median_lethal_overpressure(const double duration,
                                        const double mass,
                                        const double ambient_pressure);
 
-/// Threshold of lung injury [Pa]: a fifth of
-/// lung_median_lethal_overpressure(). For 3 to 5 ms this is 27 to 38 psi, where
-/// UFC 3-340-02, table 1-1, has 30 to 40 psi (recalled).
-double lung_threshold_overpressure(const double duration,
-                                   const double mass,
-                                   const double ambient_pressure);
-
 /**
  * Probability of death within 24 h by lung injury [-] under a load that is
  * @p exposure times lung_median_lethal_overpressure(): normal distribution of

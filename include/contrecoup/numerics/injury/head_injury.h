@@ -60,11 +60,4 @@ double brain_injury_criterion(const std::array<double, 3> &angular_velocities);
 double weighted_percentile(const std::vector<double> &values,
                            const std::vector<double> &weights,
                            const double part);
-
-/// Fraction of weight of the values above @p limit [-]. For largest principal
-/// strains, weighted with volumes, this is the cumulative strain damage
-/// measure (CSDM). @throws InputError as weighted_percentile()
-double weighted_part_above(const std::vector<double> &values,
-                           const std::vector<double> &weights,
-                           const double limit);
 } // namespace contrecoup
