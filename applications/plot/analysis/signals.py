@@ -29,6 +29,13 @@ def onset(time, values, part=ARRIVED):
     return float(time[np.argmax(size >= part * size.max())])
 
 
+def goes_on(values):
+    """Whether the least and the largest value are the last ones, so that they
+    are those of the end of the run alone."""
+    return tuple(bool(bound and values[0] != bound == values[-1])
+                 for bound in extremes(values))
+
+
 def arrival(time, values, part=ARRIVED):
     """When a history arrives: the middle of its first rise beyond a part of its
     largest absolute value, as the blast defines arrivals on the skin; None for

@@ -4,7 +4,7 @@
 
 import numpy as np
 
-from plot.analysis import person
+from plot.analysis import person, signals
 from plot.readers import files, tables
 
 SOFT, SKIN, SKELETON, BRAIN, CORD, FLUID, LUNG, HEART, LIVER = range(1, 10)
@@ -90,6 +90,15 @@ def find_places(scene):
                 or place.name == "skull" and is_thin(scene, "skull")):
             place.remark = THIN
     return places
+
+
+def brain_arrival(scene):
+    """When the first wave reaches a probe in the brain [s]; None without one."""
+    probes = scene.biomechanics.table("probes.csv")
+    found = [] if probes is None else [
+        signals.arrival(probes["time"], place.pressure(probes))
+        for place in find_places(scene) if place.tissue == BRAIN]
+    return min((time for time in found if time is not None), default=None)
 
 
 def _named_places(scene):

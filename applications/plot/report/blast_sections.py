@@ -378,7 +378,8 @@ def _gauge_table(scene, gauges):
         is_cut = measures["cut off"] > 0.
         rows.append((
             name, page.number(1e3 * measures["arrival"]),
-            page.number(1e-3 * measures["peak"]),
+            page.limit(page.number(1e-3 * measures["peak"]),
+                       signals.goes_on(gauges[name])[1]),
             page.limit(page.number(measures["impulse"]), is_cut),
             page.limit(page.number(1e3 * measures["positive phase"]), is_cut),
             page.Rounded(("≤ " if after[-1] == lowest else "")
@@ -423,8 +424,8 @@ def _gauge_errors(scene, gauges):
         "median of its column. Where the pressure dips and rises again within "
         "the positive phase of this run or of the coarser one, errors of impulse "
         "and phase do not hold if finer cells may let it fall to zero in the "
-        "dip, after the least positive phase: where the dip is no deeper than "
-        "its error, or in one run alone. A dash: no such dip shows; cells that "
+        "dip, after the least positive phase: where the dip is below zero, or "
+        "above it by less than its error, or in one run alone. A dash: no such dip shows; cells that "
         "merge two waves hide it, too. Unknown where a run ends before the phase "
         "does, or the phase of the coarser one alone has a later "
         "wave.",

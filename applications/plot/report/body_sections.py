@@ -215,7 +215,7 @@ def histories(scene):
              if place.tissue == tissue_places.BRAIN]
     if brain:
         parts.append(page.figure(
-            _draw_first(probes, brain),
+            _draw_first(scene, probes, brain),
             "Curves of pressure over time, one for each of: "
             + "; ".join(place.title() for place in brain) + ".",
             "Brain pressure in the first 2.5 ms after the wave reaches the "
@@ -240,21 +240,25 @@ def _table_of_extremes(scene, places, probes):
     there."""
     coarser = scene.coarser and scene.coarser.biomechanics.table("probes.csv")
     extremes = [signals.extremes(place.pressure(probes)) for place in places]
-    others = [_extremes_of(place, coarser) for place in places]
+    others = [(None, None) if coarser is None or not place.is_in(coarser)
+              else signals.extremes(place.pressure(coarser)) for place in places]
     errors = [_errors(scene, *one) for one in zip(zip(*extremes), zip(*others))]
     shown, data = [], []
     for place, (lowest, highest), low_error, high_error in zip(
             places, extremes, *errors):
         shift = np.sqrt(sum(probes[f"{place.column}displacement_{axis}"] ** 2
                             for axis in "xyz"))
-        pressures = [page.number(1e-3 * value) for value in (highest, lowest)]
+        falls, rises = signals.goes_on(place.pressure(probes))
+        pressures = [page.limit(page.number(1e-3 * highest), rises),
+                     page.limit(page.number(1e-3 * lowest), falls)]
         begin = (place.title(), page.point(
             [round(x, 3) + 0. for x in place.point]))
-        end = (page.number(1e-3 * float(
-            probes[place.column + "von_mises_stress"].max())),
-               page.number(100. * float(
-                   probes[place.column + "principal_strain"].max())),
-               page.number(1e3 * float(shift.max())))
+        end = [page.limit(page.number(scale * float(values.max())),
+                          signals.goes_on(values)[1])
+               for scale, values in (
+                   (1e-3, probes[place.column + "von_mises_stress"]),
+                   (100., probes[place.column + "principal_strain"]),
+                   (1e3, shift))]
         shown.append((*begin, *(
             page.Markup().join((value, page.Markup("<br>"),
                                 page.tag("small", error)))
@@ -265,7 +269,8 @@ def _table_of_extremes(scene, places, probes):
     return page.table(
         ("place", "x, y, z [m]", "maximum pressure [kPa]",
          "minimum pressure [kPa]", *rest), shown,
-        "Extremes over the run. Pressures are averaged over the elements of "
+        "Extremes over the run; ≥ and ≤: at its end, so that they may go on. "
+        "Pressures are averaged over the elements of "
         "the same tissue around each place; stress and strain are of single "
         "elements. " + ("Errors are from the coarser run, each at least "
                         "the median over all places."
@@ -278,23 +283,18 @@ def _table_of_extremes(scene, places, probes):
              "error of the minimum", *rest), data))
 
 
-def _extremes_of(place, probes):
-    """Least and largest pressure [Pa] by the probes of the coarser run; None
-    each without that place."""
-    if probes is None or not place.is_in(probes):
-        return None, None
-    return signals.extremes(place.pressure(probes))
-
-
 def _errors(scene, values, coarser):
     """Estimated errors of values at several places, each at least the median, as
     those of gauges; "unknown" where the coarser run has none."""
     found = [None if other is None else
              error_estimate.of(scene, "injury_", value, other)[0]
              for value, other in zip(values, coarser)]
-    known = [one for one in found if one is not None]
-    return ["unknown" if one is None else
-            page.error(max(one, statistics.median(known))) for one in found]
+    # Zero is the pressure before the wave arrives, and has no error.
+    known = [one for one, value in zip(found, values)
+             if one is not None and value]
+    return ["–" if not value else "unknown" if one is None else
+            page.error(max(one, statistics.median(known)))
+            for one, value in zip(found, values)]
 
 
 def _cavitation(scene):
@@ -307,12 +307,10 @@ def _cavitation(scene):
             "Materials/Least pressure") or [np.nan])[0], "Pa") + ".")
 
 
-def _draw_first(probes, places):
+def _draw_first(scene, probes, places):
     """The first waves, before echoes of echoes."""
     time = probes["time"]
-    begins = [signals.arrival(time, place.pressure(probes))
-              for place in places]
-    begin = min((x for x in begins if x is not None), default=0.)
+    begin = tissue_places.brain_arrival(scene) or 0.
     part = (time >= begin - 1e-4) & (time <= begin + signals.FIRST_WAVES)
     figure, axis = plt.subplots(figsize=(9., 3.3))
     for place in places:
@@ -389,9 +387,10 @@ def _draw_energy(history, known):
     tissues = [name[len("internal_energy_"):] for name in history.names
                if name.startswith("internal_energy_")]
     figure, axes = plt.subplots(1, 2, figsize=(9.4, 3.7))
-    for name, text in known:
-        axes[0].plot(time, history[name], label=text,
-                     linestyle="--" if name == "energy_residual" else "-")
+    for number, (name, text) in enumerate(known):
+        axes[0].plot(time, history[name], label=text, color=style.COLOURS[
+            number % 7], linestyle="--" if name == "energy_residual" else
+                     "-" if number < 7 else ":")
     axes[0].set_title("whole body")
     for number, tissue in enumerate(tissues):
         axes[1].plot(time, history["internal_energy_" + tissue],

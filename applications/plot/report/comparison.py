@@ -46,7 +46,9 @@ def completed_rows(scene, judged):
                 row["run_least"], row["run_largest"] = load.sure_bounds()
         if name in CHANCES and row.get("place") != EAR:
             for key, ends in _bounds_of_chances(scene, judged, name).items():
-                row[f"{key}_least"], row[f"{key}_largest"] = ends
+                # A row of the tables alone has no value of this run to bound.
+                if row.get(key) is not None:
+                    row[f"{key}_least"], row[f"{key}_largest"] = ends
         rows.append(row)
     return rows
 
@@ -190,12 +192,13 @@ def _answer_rows(scene):
              "arrival": (answer.get("arrival"), "s")}
     rows = [{"name": name, "tables": value, "unit": unit}
             for name, (value, unit) in known.items()]
-    place = "trunk" if injury_table.lungs_by(scene) == "skin" else PROBE
-    for name in LUNGS:
-        value, wall = scene.table_answer(name) if place == PROBE else \
-            scene.table_answer(name, "trunk")
-        rows.append({"name": name, "place": place, "tables": value,
-                     "before_a_wall": wall, "unit": "-"})
+    if injury_table.lungs_by(scene) == "skin":
+        rows += _trunk_rows(scene)
+    else:
+        for name in LUNGS:
+            value, wall = scene.table_answer(name)
+            rows.append({"name": name, "tables": value, "before_a_wall": wall,
+                         "unit": "-"})
     rows.append({"name": "eardrum_rupture", "unit": "-",
                  "tables": in_the_open.get("eardrum_rupture")})
     return [row for row in rows if row["tables"] is not None]
@@ -209,9 +212,3 @@ def with_error(value, unit, is_chance, error):
         return page.chance(value)
     return page.quantity(value, unit) + (
         "" if error is None else f" {page.error(error)}")
-
-
-def at_trunk(scene):
-    """Where the tables are asked for lungs, unless that is at the probe."""
-    return "" if injury_table.lungs_by(scene) != "skin" else " " + (
-        injury_table.at_trunk(scene) or "at the distance of the trunk")

@@ -20,6 +20,7 @@ ORDER = 0.7
 GAUGE_MEASURES = ("peak", "impulse", "positive phase")
 # Smallest relative error of a measure: two runs can agree by chance.
 LEAST = 0.02
+SAME_CELLS = 0.9  # of this run's, in the coarser one
 WHOLE_SKIN = 0.95  # of this run's, in the gas of the coarser one
 
 
@@ -121,12 +122,23 @@ def of_result(scene, name):
 
 def of_skin(scene, name):
     """Largest value of a measure of the loads over the skin, in the coarser run
-    and in this one, and its relative error; None for what is unknown."""
+    and in this one, and its relative error, at least that of all gauges, as two
+    places can agree by chance; None for what is unknown."""
     values = [None if known is None or not len(known.areas) else
               known.largest(name) for known in (
                   scene.coarser and scene.coarser.loads(), scene.loads())]
-    return (*values, of(scene, "lung_", *values[::-1])[0]
-            if all(values) else None)
+    gauges = [one[name] for one in of_scene_gauges(scene).values() if name in one]
+    return (*values, max(of(scene, "lung_", *values[::-1])[0], min(
+        gauges, default=0.)) if all(values) else None)
+
+
+def same_cells(scene):
+    """A sentence in a list where the coarser run is coarser near the body alone."""
+    counts = [run and run.blast.summary.get("cells")
+              for run in (scene.coarser, scene)]
+    return [] if None in counts or counts[0] < SAME_CELLS * counts[1] else [
+        "The wave's way to the body has the same cells in the coarser run, so that "
+        "estimated errors leave out what it loses there (entry Scene/Cell size)."]
 
 
 def why_unknown(scene, entries):

@@ -8,7 +8,7 @@ import math
 from plot.analysis import person
 from plot.readers import files
 from plot.readers.scene import COARSER
-from plot.report import (comparison, error_estimate, page, reflections,
+from plot.report import (comparison, error_estimate, injury_table, page, reflections,
                          reservations, unfinished, verdict)
 
 BOUNDS = "for probabilities the bounds that follow from those of their load"
@@ -38,7 +38,7 @@ class Lead:
         self.lungs = "" if mass is None or not any(
             row.get("name") in comparison.LUNGS for row in self.rows) else (
                 f"; lungs of a person of {page.given(float(f'{mass:.3g}'), 'kg')}"
-                + (comparison.at_trunk(scene) and f",{comparison.at_trunk(scene)}"))
+                + (injury_table.at_trunk(scene) and f",{injury_table.at_trunk(scene)}"))
         self.explaining = reflections.explaining(scene)
         self.trunk = "; loads of skin, as at the trunk, are not compared with " \
             "those of air" if any(row.get("place") == "trunk"
@@ -47,7 +47,9 @@ class Lead:
             + reflections.note_on_people(scene)
         self.heights = _heights(scene)
         probe = scene.facts.get("probe_beside_body")
-        self.distance = _distance(scene)
+        distance = scene.fact("distance")
+        self.distance = "" if distance is None else \
+            f", {page.quantity(distance, 'm')} from the charge"
         self.where = self.distance + (
             f", {page.height(probe)} above the ground" if probe else "")
         left_out = ([] if reflections.is_surface_burst(scene) else ["ground"]) \
@@ -119,13 +121,6 @@ class Lead:
                 "Warnings of the coarser run alone, which estimates the error",
                 page.bullets(told[True])))
         return page.tag("div", *parts, kind="doubts") if parts else ""
-
-
-def _distance(scene):
-    """How far from the charge the tables are asked, unless that is said."""
-    distance = scene.fact("distance")
-    return "" if distance is None else \
-        f", {page.quantity(distance, 'm')} from the charge"
 
 
 def _heights(scene):

@@ -118,7 +118,7 @@ def ask_tables(scene, judged):
         entry = find(judged, key)
         if entry is not None:
             answers.append(([entry], lungs_of_tables(scene, name),
-                            at_trunk(scene)))
+                            at_trunk(scene).strip()))
     # Thresholds of the user's own judge the load on the skin, too.
     skin = find(judged, SKIN_NAMES["lung_exposure", loaded_side(scene)])
     if skin is not None and skin.is_own and skin.name != load:
@@ -142,8 +142,9 @@ def at_distance(scene, part):
 
 
 def at_trunk(scene):
-    """The same for what tells whether lungs kill, see lungs_by()."""
-    return at_distance(scene, "trunk") if lungs_by(scene) == "skin" else ""
+    """The same after a blank for what tells whether lungs kill, see lungs_by()."""
+    place = at_distance(scene, "trunk") if lungs_by(scene) == "skin" else ""
+    return place and f" {place}"
 
 
 def ears_of_tables(scene, ears):

@@ -49,8 +49,10 @@ class Judged:
         spread = abs(value) * self.error if value else abs(self.coarser or 0.)
         ends = [self.least_part * (value - spread), value + spread]
         if curve or self.curve:
-            return tuple(injury_thresholds.probability(curve or self.curve,
-                                                       end) for end in ends)
+            found = [injury_thresholds.probability(curve or self.curve, end)
+                     for end in ends]
+            # That of a wave that is not simple is the one of an endless phase.
+            return min(found), max([*found, *([] if curve else [self.value])])
         # No measure changes its sign: all begin at zero.
         low, high = (0. if self.value >= 0. else -math.inf,
                      0. if self.value < 0. else

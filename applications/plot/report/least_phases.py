@@ -39,11 +39,10 @@ class Wave(NamedTuple):
                                SMALLEST_DIP * self.peak) \
             if inside.any() else ([], [])
 
-    def dip(self):
-        """The first one within the positive phase: time after the arrival and
-        overpressure; None without."""
-        dips = self.turns()[1]
-        return (dips[0][0] - self.arrival, dips[0][1]) if dips else None
+    def dips(self):
+        """Those within the positive phase: time after the arrival and
+        overpressure."""
+        return [(time - self.arrival, over) for time, over in self.turns()[1]]
 
     def last_wave(self):
         """Time from the arrival to the top of the last wave within the positive
@@ -114,11 +113,12 @@ def _least(scene, wave, coarser):
     """The earliest dip of a Wave and of that of the coarser run [s] where finer
     cells may let it fall to zero, as its overpressure is within its error; None
     without."""
-    here = wave.dip()
-    there = coarser and coarser.dip()
-    if here and _stays(scene, wave, here, coarser, there):
-        return None
-    least = min((dip[0] for dip in (here, there) if dip), default=math.inf)
+    here, there = wave.dips(), coarser.dips() if coarser else []
+    ends = [dip for dip in here if not _stays(scene, wave, dip, coarser, min(
+        there, key=lambda one, dip=dip: abs(one[0] - dip[0]), default=None))]
+    if here[:1] == ends[:1]:
+        ends += there[:1]
+    least = min((dip[0] for dip in ends), default=math.inf)
     return least if least < wave.phase else None
 
 

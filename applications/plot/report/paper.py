@@ -19,7 +19,6 @@ SOURCE = ("X. G. Tan, R. N. Saunders, A. Bagchi: Coupled modeling for "
           "PROBLEMS 2017")
 HEAD = ("forehead", "vertex", "occiput", "eye", "temple", "ear")
 CAVITATION = -1e5
-FIRST_WAVES = 2.5e-3  # s, from the onset of pressure at the coup on
 CLOSE = 0.02  # of published values
 AGREES, PARTLY, DIFFERS, OPEN = "agrees", "partly", "differs", "open"
 
@@ -308,7 +307,7 @@ def _body(scene, probes):
         probes["time"], coup.pressure(probes))
     if begin is not None:
         top = np.abs(coup.pressure(probes)[
-            probes["time"] <= begin + FIRST_WAVES]).argmax()
+            probes["time"] <= begin + signals.FIRST_WAVES]).argmax()
         shift = max(np.sqrt(sum(
             probes[f"{place.column}displacement_{axis}"][top] ** 2
             for axis in "xyz")) for place in places)
@@ -387,7 +386,7 @@ def _brain(scene, probes):
     begin = signals.onset(time, found["coup"])
     if begin is None:
         return []
-    part = (time >= begin - 1e-4) & (time <= begin + FIRST_WAVES)
+    part = (time >= begin - 1e-4) & (time <= begin + signals.FIRST_WAVES)
     time, coup, counter = (values[part] for values in (
         time, found["coup"], found["contrecoup"]))
     begins = [signals.onset(time, values) for values in (coup, counter)]

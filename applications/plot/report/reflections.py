@@ -174,7 +174,9 @@ def _second_wave(scene):
            f", {page.milliseconds(least)} after the arrival or later")
         + ("" if later is None else
            f", with a peak of {page.quantity(later[0], 'Pa')} at "
-           f"{page.milliseconds(later[1])}")
+           f"{page.milliseconds(later[1])}"
+           + (", where the run ends: its peak may be higher"
+              if later[1] >= 0.999 * (scene.fact("end_time") or later[1]) else ""))
         + f": {_cause_of_second_wave(scene)}."
         + " Impulse, duration and the load on lungs are those of both waves."
         + (" Their errors do not hold, since finer cells may let the pressure "
@@ -189,7 +191,7 @@ def _cause_of_second_wave(scene):
     time = later and later[1]
     if place:
         return "the charge's own second shock, which the " \
-            f"{place} has at the same time"
+            f"{place} has at the same time; the body's reflection may raise it"
     if not _largest_wave(scene):
         return "the charge's own second shock, or a reflection by the " \
             + reflectors(scene, time)

@@ -33,7 +33,7 @@ def of(scene, judged):
         parts.append(f"{why[:1].upper()}{why[1:]}: death by lung injury follows "
                      "from the reflected load on the skin.")
     parts += _walls(scene, judged) + _grazed_sides(scene)
-    parts += _products(scene) + _runs_ahead(scene)
+    parts += _products(scene) + _runs_ahead(scene) + _in_a_gap(scene)
     parts += _not_simple(scene, judged) + _long_load(scene, judged)
     parts += _askew(scene, judged) + _along_the_body(scene, judged)
     parts += _late_tension(scene, judged)
@@ -43,7 +43,7 @@ def of(scene, judged):
     parts += tissue_places.holes(scene)
     parts += _afterburn(scene) + _model_bias(scene)
     parts += _loads(scene) + EnergyAudit(scene).reservations() + _limits(scene)
-    parts += _ground(scene)
+    parts += error_estimate.same_cells(scene) + _ground(scene)
     parts += _unused_thresholds(scene, judged)
     if any(entry.name == "injury_strain_95" for entry in judged):
         parts.append(
@@ -86,7 +86,20 @@ def _runs_ahead(scene):
         f"skin first after {page.milliseconds(float(times[first]))}, "
         f"{page.height(known.centroids[first])} above the ground, where the tables "
         f"have {page.milliseconds(expected['arrival'])} for the nearest skin; "
-        "loads on feet and legs are of this jet."]
+        + ("all loads on a person who lies there, those of trunk and head too, "
+           "are of this jet." if (scene.facts.get("person") or {}).get("posture")
+           == "lying" else "loads on feet and legs are of this jet.")]
+
+
+def _in_a_gap(scene):
+    """That lungs are judged by gas in a gap thinner than a cell."""
+    side, cell = injury_table.loaded_side(scene), scene.fact("cell_size_at_body")
+    place = scene.loads() and scene.loads().places().get(side)
+    return [] if place is None or not cell or injury_table.lungs_by(scene) != \
+        "skin" or scene.fact("height") is None or place[2] >= cell else [
+            f"Lungs are judged by the load at the {side}, in a gap of "
+            f"{page.quantity(float(place[2]), 'm')} above the ground, thinner than "
+            f"a cell: finer cells may change it much ({_entry_of_cells(scene)})."]
 
 
 def _not_simple(scene, judged):
@@ -149,7 +162,7 @@ def _late_tension(scene, judged):
             or "brain_pressure_5" not in history:
         return []
     time, pressure = history["time"], history["brain_pressure_5"]
-    begin = signals.arrival(time, np.abs(pressure))
+    begin = tissue_places.brain_arrival(scene)
     lowest = float(time[pressure.argmin()])
     return [] if begin is None or lowest < begin + signals.FIRST_WAVES else [
         f"The brain's pressure is lowest {page.milliseconds(lowest)} after the "
@@ -200,7 +213,9 @@ def _other_death(scene, judged):
     return ("The tables have another verdict on the lungs: death with a "
             f"probability of {page.chance(low)} in the open"
             + (f" and {page.chance(high)} before a wall" if high > low else "")
-            + f"{comparison.at_trunk(scene)}, where this run has {death.shown()}. "
+            + f"{injury_table.at_trunk(scene)}, where this run has {death.shown()}"
+            + (" by the load on the skin, whose phase ends earlier than that in "
+               "the open" if injury_table.lungs_by(scene) == "skin" else "") + ". "
             "Trust neither" + (
                 ": finer cells leave the model's difference from the tables "
                 "(below) as it is." if is_biased else
@@ -278,7 +293,7 @@ def _other_load(scene, judged):
     limit, meaning = load.thresholds[0]
     beside = reflections.beside_tables(scene)
     sides = ("above", "below") if load.exceeded(known) else ("below", "above")
-    return [f"the load on the lung{comparison.at_trunk(scene)} is "
+    return [f"the load on the lung{injury_table.at_trunk(scene)} is "
             f"{page.number(known)}{place}, {sides[0]} the {meaning} of "
             f"{load.shown_limit(limit)}, where this run has {load.shown()}, "
             f"{sides[1]} it" + (f"; the tables are{beside}" if beside else "")]

@@ -236,8 +236,9 @@ def _draw_charge(scene, axis, away, has_ground):
     if has_ground:
         axis.annotate("", (charge[0], 0.), (charge[0], charge[2]),
                       arrowprops={"arrowstyle": "<->", "color": style.GREY})
-        axis.annotate(height, (charge[0], 0.5 * charge[2]), (8. * away, 0.),
-                      va="center", color=style.GREY, **sides)
+        beside = away * radius * (charge[2] < 3. * radius)  # of a low disc
+        axis.annotate(height, (charge[0] + beside, 0.5 * charge[2]), (
+            8. * away, 0.), va="center", color=style.GREY, **sides)
 
 
 def _widen(axis, label):
@@ -342,8 +343,9 @@ def _tissue_events(scene):
         found.append(Event(
             "tissue", place.title(), begin, None, float(time[largest]),
             f"{page.quantity(float(values[largest]), 'Pa')} then; "
-            + " to ".join(page.quantity(bound, "Pa")
-                          for bound in signals.extremes(values))
+            + " to ".join(
+                page.limit(page.quantity(bound, "Pa"), is_last) for bound, is_last
+                in zip(signals.extremes(values), signals.goes_on(values)))
             + " over the whole run" + _slow_rise(time, values)))
     return sorted(found, key=lambda event: event.begin)
 

@@ -132,7 +132,7 @@ def _life(scene, judged):
         return Verdict("life", "survival is uncertain", "bad",
                        f"death by lung injury: {entry.shown()} by this run"
                        f"{_by_the_numerics(entry)}, {_death_by_tables(scene)} "
-                       f"by the tables{_at_trunk(scene)}",
+                       f"by the tables{injury_table.at_trunk(scene)}",
                        entry)
     words = _word(LIFE, entry, entry.value).strip()
     detail = f"{entry.shown()}{_by_the_numerics(entry)}"
@@ -146,6 +146,9 @@ def _life(scene, judged):
             (entry.error is not None and entry.bounds()[1] >= LIFE[0][0])
             or (wall is not None and "lethality" in wall.meaning())):
         words, kind = "probably survives", "mid"
+    if any(one.exceeded() for one in judged
+           if one.name in injury_table.OF_THE_MOTION):
+        words = words.replace("survives", "survives as far as lungs tell")
     return Verdict("life", words, kind, detail, entry)
 
 
@@ -155,12 +158,7 @@ def _not_judged(scene):
     return Verdict("life", UNJUDGED, "none",
                    "the run ends before the positive phase does"
                    + (known and "; death by lung injury by the tables"
-                      f"{_at_trunk(scene)}: {known}"))
-
-
-def _at_trunk(scene):
-    """Where the tables are asked for lungs, "" at the nearest skin."""
-    return f" {injury_table.at_trunk(scene)}".rstrip()
+                      f"{injury_table.at_trunk(scene)}: {known}"))
 
 
 def _death_by_tables(scene):
@@ -329,7 +327,7 @@ def _by_tables(scene, judged, lungs):
         return lungs
     told = POSSIBLE if lungs.words == SOUND else SOUND
     return Verdict(lungs.subject, lungs.words, "mid", "; ".join(filter(
-        None, (lungs.detail, f"by the tables{_at_trunk(scene)} {told}, load "
+        None, (lungs.detail, f"by the tables{injury_table.at_trunk(scene)} {told}, load "
                f"{page.number(found[1])}{found[2]}"))), lungs.entry,
         lungs.entries)
 

@@ -166,6 +166,17 @@ std::string unknown_beforehand()
 }
 
 
+std::string distance_along_x(const SceneParameters &scene,
+                             const SceneLayout &layout)
+{
+  const std::string along = brief(layout.distance_along_x);
+  return scene.place || !std::isfinite(layout.distance_along_x) ||
+             along == brief(layout.distance)
+           ? ""
+           : " (" + along + " m to the skin along x)";
+}
+
+
 std::vector<std::string> first_answer(const SceneParameters &scene,
                                       const SceneLayout &layout,
                                       const double body_mass,
@@ -174,7 +185,8 @@ std::vector<std::string> first_answer(const SceneParameters &scene,
 {
   const std::string what =
     brief(scene.mass) + " kg of " + scene.explosive.title;
-  const std::string where = " at " + brief(layout.distance) + " m";
+  const std::string where =
+    " at " + brief(layout.distance) + " m" + distance_along_x(scene, layout);
   const auto answer = table_answer(scene, layout, body_mass);
   const std::string left_out = left_out_in_words(scene, layout, sides);
   if (!answer)

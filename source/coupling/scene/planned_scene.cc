@@ -25,18 +25,12 @@ namespace contrecoup::coupling
 {
 namespace
 {
-  /// Distance between charge and skin in words. The nearest point of the skin
-  /// need not be where the line along -x meets it.
+  /// Distance between charge and skin in words.
   std::string distance_in_words(const SceneParameters &scene,
                                 const SceneLayout &layout)
   {
-    const std::string nearest = brief(layout.distance);
-    const std::string along = brief(layout.distance_along_x);
-    std::string text = nearest + " m from the nearest skin";
-    if (!scene.place && std::isfinite(layout.distance_along_x) &&
-        along != nearest)
-      text += " (" + along + " m to the skin along x)";
-    return text;
+    return brief(layout.distance) + " m from the nearest skin" +
+           distance_along_x(scene, layout);
   }
 
   /// Whether the trunk is not where the nearest skin is, as in the report.

@@ -71,7 +71,8 @@ namespace
   {
     return {"gravity_of_body",
             given.empty() ? "left out" : given + " m/s^2",
-            "speed due to gravity over that of the body's centre of mass",
+            "speed that gravity gives until the end over the largest speed of "
+            "the body's centre of mass",
             "-",
             gravity * end_time / speed,
             unknown,

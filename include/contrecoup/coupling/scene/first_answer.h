@@ -54,6 +54,11 @@ std::string equivalence_in_words(const Explosive &explosive);
 /// A probability in per cent: "more than 99 %", "less than 0.1 %".
 std::string percent(double probability);
 
+/// The entry Charge/Distance after a blank, in brackets, where the nearest
+/// point of the skin is not where the line along -x meets it; else "".
+std::string distance_along_x(const SceneParameters &scene,
+                             const SceneLayout &layout);
+
 /**
  * A first answer without a run, as lines for the screen: the blast wave at the
  * body's distance by the tables of Kingery and Bulmash for the TNT equivalence
