@@ -2,8 +2,8 @@
 include(CMakePackageConfigHelpers)
 include(CheckCXXSymbolExists)
 
-set(CONTRECOUP_LAYERS base materials numerics geometry io deal_ii gas galerkin solid mpm
-  ale coupling study)
+set(CONTRECOUP_LAYERS base materials numerics geometry io deal_ii gas further_schemes
+  solid mpm ale coupling study)
 set(_package ${CMAKE_INSTALL_LIBDIR}/cmake/Contrecoup)
 set(_targets ${_package})
 if(CONTRECOUP_PACKAGE)

@@ -90,7 +90,7 @@ function(contrecoup_add_unit_test name)
     set_target_properties(${_program} PROPERTIES
       UNITY_BUILD ${CONTRECOUP_UNITY} UNITY_BUILD_MODE GROUP)
     target_link_libraries(${_program} contrecoup_test_main)
-    add_dependencies(${_program} contrecoup_galerkin)
+    add_dependencies(${_program} contrecoup_further_schemes)
     target_include_directories(${_program} PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
   endif()
   target_sources(${_program} PRIVATE ${ARG_SOURCES})

@@ -40,9 +40,9 @@ def _modules():
         lists = os.path.join(source, layer, "CMakeLists.txt")
         if os.path.exists(lists):
             with open(lists, encoding="utf-8") as file:
-                names = re.findall(r"MODULES\s([a-z_\s]*)", file.read())
+                names = re.findall(r"MODULES\s([a-z_\s\"]*)", file.read())
             if names:
-                found[layer] = " ".join(reversed(names)).split()
+                found[layer] = " ".join(reversed(names)).replace("\"", "").split()
     return found
 
 

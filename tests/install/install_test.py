@@ -92,9 +92,9 @@ class InstallTest(unittest.TestCase):
         run(*words, cwd=self.home, env=self.environment)
         with open(os.path.join(self.home, "drawn"), encoding="utf-8") as file:
             self.assertEqual(file.read().strip(), program)
-        # The kernels of the scheme are loaded from beside the others.
+        # The kernels of such schemes are loaded from beside the others.
         run("chmod", "u+w", os.path.join(prefix, "lib"))
-        for path in glob.glob(os.path.join(prefix, "lib/*_galerkin.so*")):
+        for path in glob.glob(os.path.join(prefix, "lib/*_further_schemes.so*")):
             os.remove(path)
         with self.assertRaisesRegex(AssertionError,
                                     "galerkin needs a library that is built"):

@@ -16,7 +16,7 @@ namespace
 
   /// Part of a leaf between two positions in reference coordinates.
   template <int dim>
-  struct Region
+  struct LeafPart
   {
     dealii::Point<dim> begin, end;
 
@@ -38,7 +38,7 @@ namespace
       , box_(box)
     {}
 
-    double volume(const Region<dim> &region) const
+    double volume(const LeafPart<dim> &region) const
     {
       if (box_.is_box())
         return points_.volume(
@@ -50,7 +50,7 @@ namespace
     }
 
     /// Fraction of the volume of @p region that the charge fills [-].
-    double fraction(const Region<dim> &region) const
+    double fraction(const LeafPart<dim> &region) const
     {
       const auto corners = charge_.as_box();
       if (corners && box_.is_box())
@@ -70,7 +70,7 @@ namespace
 
   private:
     /// Distance from the centre of a region to its farthest corner [m].
-    double radius(const Region<dim> &region) const
+    double radius(const LeafPart<dim> &region) const
     {
       const dealii::Point<dim> center = box_.place(region.center());
       double result = 0.;
@@ -84,11 +84,11 @@ namespace
       return result;
     }
 
-    double overlap(const Region<dim> &region,
+    double overlap(const LeafPart<dim> &region,
                    const dealii::Point<dim> &lower,
                    const dealii::Point<dim> &upper) const
     {
-      Region<dim> common;
+      LeafPart<dim> common;
       for (unsigned int d = 0; d < dim; ++d)
       {
         const double low = (lower[d] - box_.origin[d]) / box_.extents[d];
@@ -102,7 +102,7 @@ namespace
       return result < sliver ? 0. : (result > 1. - sliver ? 1. : result);
     }
 
-    void add(const Region<dim> &region,
+    void add(const LeafPart<dim> &region,
              const unsigned int depth,
              double &inside,
              double &all) const
@@ -114,7 +114,7 @@ namespace
       {
         for (unsigned int child = 0; child < (1U << dim); ++child)
         {
-          Region<dim> octant = region;
+          LeafPart<dim> octant = region;
           const dealii::Point<dim> middle = region.center();
           for (unsigned int d = 0; d < dim; ++d)
             ((child >> d) & 1U ? octant.begin : octant.end)[d] = middle[d];
@@ -149,7 +149,7 @@ namespace
     for (unsigned int q = 0; q < n_points; ++q)
     {
       const auto index = points.indices(q);
-      Region<dim> region;
+      LeafPart<dim> region;
       for (unsigned int d = 0; d < dim; ++d)
       {
         region.begin[d] = points.subcell_begin(index[d]);

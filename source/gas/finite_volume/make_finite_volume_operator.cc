@@ -4,7 +4,7 @@
 #include <contrecoup/gas/finite_volume/embedded_operator.h>
 #include <contrecoup/gas/finite_volume/finite_volume_operator.h>
 #include <contrecoup/gas/finite_volume/make_finite_volume_operator.h>
-#include <contrecoup/gas/finite_volume/mapped_finite_volume_operator.h>
+#include <contrecoup/gas/stage/further_makers.h>
 
 namespace contrecoup::gas
 {
@@ -13,18 +13,16 @@ std::unique_ptr<GasOperator<dim, Real>>
 make_finite_volume_operator(const OperatorContext<dim> &context,
                             const GasMaterial &material)
 {
+  if (!context.mesh.coarse_mesh().is_axis_aligned())
+    return std::get<OperatorMaker<dim, Real>>(further_makers(
+      "mapped", "A mesh of cells that are no boxes"))(context, material);
   return std::visit(
     [&](const auto &gas) -> std::unique_ptr<GasOperator<dim, Real>> {
       using Gas = std::decay_t<decltype(gas)>;
       if constexpr (dim > 1)
-      {
-        if (!context.mesh.coarse_mesh().is_axis_aligned())
-          return std::make_unique<MappedFiniteVolumeOperator<dim, Gas, Real>>(
-            context, gas);
         if (context.cut_leaves != nullptr)
           return std::make_unique<EmbeddedOperator<dim, Gas, Real>>(context,
                                                                     gas);
-      }
       return std::make_unique<FiniteVolumeOperator<dim, Gas, Real>>(context,
                                                                     gas);
     },

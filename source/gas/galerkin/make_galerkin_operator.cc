@@ -109,7 +109,7 @@ make_galerkin_operator(const OperatorContext<dim> &context,
 }
 
 
-const GalerkinMakers contrecoup_galerkin_makers = {
+const OperatorMakers contrecoup_galerkin_makers = {
   make_galerkin_operator<1, double>,
   make_galerkin_operator<2, double>,
   make_galerkin_operator<3, double>,

@@ -47,17 +47,17 @@ namespace
   }
 
 
-  /// Raster of subcells of the finest refinement level in a box of whole
+  /// ProfileRaster of subcells of the finest refinement level in a box of whole
   /// leaves.
   template <int dim>
-  class Raster
+  class ProfileRaster
   {
   public:
-    Raster(const LeafMesh<dim> &mesh,
-           const LeafPoints<dim> &points,
-           const dealii::Point<dim> &lower,
-           const dealii::Point<dim> &upper,
-           const int finest)
+    ProfileRaster(const LeafMesh<dim> &mesh,
+                  const LeafPoints<dim> &points,
+                  const dealii::Point<dim> &lower,
+                  const dealii::Point<dim> &upper,
+                  const int finest)
       : points_(points)
       , finest_(finest)
     {
@@ -161,7 +161,7 @@ namespace
   void for_each_finest(const std::vector<Number> &leaf,
                        const LeafBox<dim> &box,
                        const int level,
-                       const Raster<dim> &raster,
+                       const ProfileRaster<dim> &raster,
                        const Refine &to_children,
                        const Write &write)
   {
@@ -205,7 +205,7 @@ namespace
                   const LeafPoints<dim> &points,
                   const GasField &field,
                   const GasMaterial &material,
-                  const Raster<dim> &raster)
+                  const ProfileRaster<dim> &raster)
   {
     const unsigned int n_points = field.layout().n_points;
     const LeafTransfer<dim> transfer(points, field.layout(), material);
@@ -236,7 +236,7 @@ namespace
   Rows map_rows(const LeafMesh<dim> &mesh,
                 const LeafPoints<dim> &points,
                 const BlastMaps<dim> &maps,
-                const Raster<dim> &raster)
+                const ProfileRaster<dim> &raster)
   {
     const unsigned int n_points = dealii::Utilities::pow(points.n(), dim);
     const BlastMapTransfer<dim> transfer(points);
@@ -344,7 +344,7 @@ ProfileData extract_profile(const LeafMesh<dim> &mesh,
     finest = std::max(finest, mesh.cell(leaf)->level());
   finest = dealii::Utilities::MPI::max(finest, mesh.communicator());
 
-  const Raster<dim> raster(mesh, points, lower, upper, finest);
+  const ProfileRaster<dim> raster(mesh, points, lower, upper, finest);
   ProfileData data;
   data.geometry = box.geometry();
   data.ambient = {{state[C::density], state[C::energy], state[C::products]}};

@@ -4,7 +4,7 @@
 #include <contrecoup/base/system/timers.h>
 #include <contrecoup/gas/finite_volume/make_finite_volume_operator.h>
 #include <contrecoup/gas/octree/ghost_exchange.h>
-#include <contrecoup/gas/stage/galerkin_makers.h>
+#include <contrecoup/gas/stage/further_makers.h>
 #include <contrecoup/gas/stepping/time_stepper.h>
 
 #include <deal.II/base/aligned_vector.h>
@@ -26,10 +26,12 @@ namespace
                      QuietLeaves<dim> &quiet_leaves)
       : mesh_(context.mesh)
       , scheme_(context.scheme)
-      , operator_(scheme_.kind == Scheme::Kind::finite_volume
-                    ? make_finite_volume_operator<dim, Real>(context, material)
-                    : std::get<OperatorMaker<dim, Real>>(
-                        galerkin_makers())(context, material))
+      , operator_(
+          scheme_.kind == Scheme::Kind::finite_volume
+            ? make_finite_volume_operator<dim, Real>(context, material)
+            : std::get<OperatorMaker<dim, Real>>(further_makers(
+                "galerkin",
+                "Method/Scheme = discontinuous galerkin"))(context, material))
       , quiet_leaves_(quiet_leaves)
     {}
 

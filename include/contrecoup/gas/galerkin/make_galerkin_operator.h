@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include <contrecoup/gas/stage/galerkin_makers.h>
+#include <contrecoup/gas/stage/further_makers.h>
 
 namespace contrecoup::gas
 {
@@ -13,7 +13,4 @@ template <int dim, typename Real>
 std::unique_ptr<GasOperator<dim, Real>>
 make_galerkin_operator(const OperatorContext<dim> &context,
                        const GasMaterial &material);
-
-/// These, under a name that galerkin_makers() finds in the library.
-extern "C" const GalerkinMakers contrecoup_galerkin_makers;
 } // namespace contrecoup::gas

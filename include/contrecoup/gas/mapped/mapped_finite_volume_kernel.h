@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include <contrecoup/gas/finite_volume/mapped_leaf_kernel.h>
+#include <contrecoup/gas/mapped/mapped_leaf_kernel.h>
 
 #include <deal.II/base/aligned_vector.h>
 

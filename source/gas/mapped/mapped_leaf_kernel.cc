@@ -2,7 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/lanes/lane_math.h>
-#include <contrecoup/gas/finite_volume/mapped_leaf_kernel.h>
+#include <contrecoup/gas/mapped/mapped_leaf_kernel.h>
 #include <contrecoup/gas/stage/kernel_instances.h>
 #include <contrecoup/numerics/scheme/shear_factor.h>
 

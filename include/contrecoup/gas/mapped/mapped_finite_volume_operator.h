@@ -4,8 +4,8 @@
 #pragma once
 
 #include <contrecoup/gas/finite_volume/hanging_schedule.h>
-#include <contrecoup/gas/finite_volume/mapped_finite_volume_kernel.h>
-#include <contrecoup/gas/finite_volume/mapped_hanging.h>
+#include <contrecoup/gas/mapped/mapped_finite_volume_kernel.h>
+#include <contrecoup/gas/mapped/mapped_hanging.h>
 #include <contrecoup/gas/stage/gas_operator.h>
 
 namespace contrecoup::gas

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/gas/finite_volume/mapped_hanging.h>
+#include <contrecoup/gas/mapped/mapped_hanging.h>
 #include <contrecoup/gas/stage/kernel_instances.h>
 
 namespace contrecoup::gas

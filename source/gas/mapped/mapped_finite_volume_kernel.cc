@@ -2,8 +2,8 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/lanes/lane_math.h>
-#include <contrecoup/gas/finite_volume/mapped_finite_volume_kernel.h>
 #include <contrecoup/gas/finite_volume/velocity_slope.h>
+#include <contrecoup/gas/mapped/mapped_finite_volume_kernel.h>
 #include <contrecoup/gas/stage/kernel_instances.h>
 
 namespace contrecoup::gas
