@@ -251,20 +251,20 @@ def _table_of_extremes(scene, places, probes):
         falls, rises = signals.goes_on(place.pressure(probes))
         pressures = [page.limit(page.number(1e-3 * highest), rises),
                      page.limit(page.number(1e-3 * lowest), falls)]
-        begin = (place.title(), page.point(
-            [round(x, 3) + 0. for x in place.point]))
+        points = [page.point([round(x, digits) + 0. for x in place.point])
+                  for digits in (2, 3)]
         end = [page.limit(page.number(scale * float(values.max())),
                           signals.goes_on(values)[1])
                for scale, values in (
                    (1e-3, probes[place.column + "von_mises_stress"]),
                    (100., probes[place.column + "principal_strain"]),
                    (1e3, shift))]
-        shown.append((*begin, *(
+        shown.append((place.title(), points[0], *(
             page.Markup().join((value, page.Markup("<br>"),
                                 page.tag("small", error)))
             for value, error in zip(pressures, (high_error, low_error))), *end))
-        data.append((*begin, pressures[0], high_error, pressures[1], low_error,
-                     *end))
+        data.append((place.title(), points[1], pressures[0], high_error,
+                     pressures[1], low_error, *end))
     rest = ("von Mises stress [kPa]", "largest strain [%]", "displacement [mm]")
     return page.table(
         ("place", "x, y, z [m]", "maximum pressure [kPa]",
