@@ -443,20 +443,24 @@ class ReportTest(unittest.TestCase):
             self.assertNotIn(absent, words)
 
     def test_error_of_loads_alone(self):
-        """From both runs where no gauge stands on the skin, else unknown."""
+        """From both runs, and at least that of all gauges, else unknown."""
         scene = Scene(self.whole)
         peak, impulse = (scene.loads().largest(name)
                          for name in ("peak", "impulse"))
-        for factors, words in (
-                ((0.9, 1.), "kPa ± 16\u00a0%, its impulse"),
-                (None, "; numerical error unknown.")):
+        for factors, gauges, words in (
+                ((0.9, 1.), (), "kPa ± 16\u00a0%, its impulse"),
+                ((0.9, 1.), (0.3, 0.25), "kPa ± 25\u00a0%, its impulse"),
+                (None, (), "; numerical error unknown.")):
             scene.coarser = None if factors is None else types.SimpleNamespace(
                 loads=lambda of=factors: types.SimpleNamespace(
                     areas=[1.], largest=lambda name:
                     peak * of[0] if name == "peak" else impulse))
-            self.assertIn(words.replace("± ", "±\u00a0"),
-                          headline._loads_alone(scene).replace(
-                              "\u00a0kPa", " kPa"))
+            with unittest.mock.patch.object(
+                    error_estimate, "of_scene_gauges", lambda _, of=gauges: {
+                        value: {"peak": value} for value in of}):
+                self.assertIn(words.replace("± ", "±\u00a0"),
+                              headline._loads_alone(scene).replace(
+                                  "\u00a0kPa", " kPa"))
         self.assertEqual(error_estimate.of_skin(scene, "peak"),
                          (None, peak, None))
 
