@@ -58,8 +58,8 @@ PLOT_MODULES = ["readers", "analysis", "figures", "report", "commands"]
 LONGEST_TEXTS = {"README.md": 200, "CONTRIBUTING.md": 150}
 LARGEST_MEDIAN = 100  # of files of the library
 # Lines that folders may have; a change that needs more says why.
-MOST_LINES = {("include", "source"): 135_150, ("applications",): 13_200,
-              ("tests",): 68_350}
+MOST_LINES = {("include", "source"): 135_360, ("applications",): 13_240,
+              ("tests",): 68_390}
 LONGEST_HEADER = 250
 LONGEST_SOURCE = 500
 LONGEST_MAIN = 40

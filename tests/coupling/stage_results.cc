@@ -342,11 +342,11 @@ TEST(SceneAudit, ComparesTheSkinInTheGasWithThatOfTheBody)
   for (const char *const stage : {"/anatomy", "/blast"})
     std::filesystem::create_directories(folder.path() + stage);
   std::ofstream(folder.path() + "/anatomy/summary.json")
-    << R"({"surface_area": 1.56})";
+    << R"({"surface_projections": 1.56})";
   for (const auto &[area, is_missing] : {std::pair{1.09, true}, {1.5, false}})
   {
     std::ofstream(folder.path() + "/blast/summary.json")
-      << R"({"checks": {"loads_skin_area": {"value": )" << area
+      << R"({"checks": {"loads_skin_projections": {"value": )" << area
       << R"(, "unit": "m^2"}}})";
     EXPECT_NEAR(audit().value, area / 1.56, 1e-12);
     EXPECT_EQ(audit().fails(), is_missing);

@@ -447,6 +447,36 @@ TEST(TableComparison, IsOfTheSkinWithoutAProbe)
 }
 
 
+// Both runs may agree at one gauge by chance: its error is that of the others.
+TEST(TableComparison, HasAtLeastTheMedianErrorOfGaugesOnTheSkin)
+{
+  SceneParameters scene = scene_of("tnt", 1.1);
+  scene.mass = 0.1;
+  scene.place = Point<3>(0.5, 0., 1.1);
+  const Landmark gauge{"chest", Point<3>(0.15, 0., 1.1)};
+  const io::TemporaryFolder folder;
+  const auto error_of_impulse = [&](const double chest_cut_off) {
+    for (const auto &[name, factor] :
+         {std::pair{"/blast", 1.}, std::pair{"/coarser_blast", 0.9}})
+    {
+      std::filesystem::create_directories(folder.path() + name);
+      std::ofstream file(folder.path() + name + "/summary.json");
+      file << R"({"results": {"loads_chest_impulse": {"value": 50})"
+           << R"(, "loads_back_impulse": {"value": )" << 20. * factor
+           << R"(}, "loads_head_impulse": {"value": )" << 30. * factor << "}";
+      if (chest_cut_off > 0.)
+        file << R"(, "loads_chest_cut_off": {"value": 1})";
+      file << "}}";
+    }
+    const auto rows = compare_skin_with_tables(
+      scene, layout_of(scene), gauge, folder.path(), true);
+    return rows.size() == 1 ? rows.front().run_error : 0.;
+  };
+  EXPECT_NEAR(error_of_impulse(0.), 0.1 / (std::pow(2., 0.7) - 1.), 1e-9);
+  EXPECT_TRUE(std::isnan(error_of_impulse(1.)));
+}
+
+
 TEST(TableComparison, IsEmptyWithoutAProbe)
 {
   const SceneParameters scene = scene_of("tnt", 1.);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/geometry/shape/placement.h>
 #include <contrecoup/geometry/shape/triangulated_surface.h>
 
 #include "described_body.h"
@@ -288,6 +289,33 @@ TEST_F(SurfaceFile, UnitsHaveTheirLengths)
       create(file, {"Surface/Unit=" + unit, "Surface/Largest size=200"});
     const auto box = body->surface()->bounding_box();
     EXPECT_NEAR(box.side_length(2), size, 1e-5 * size) << unit;
+  }
+}
+
+
+// A person who stands askew in the file is as narrow as one who does not.
+TEST_F(SurfaceFile, UnturnedBoxIsThatOfTheNarrowestPose)
+{
+  const double width[] = {0.3, 0.5, 1.8}; // [m]
+  for (const double degrees : {0., 45., 118.})
+  {
+    const Placement turn(
+      1., Tensor<1, 3>({0., 0., degrees * dealii::numbers::PI / 180.}), {});
+    TriangleMesh mesh = make_sphere(32, Point<3>(), 0.5);
+    for (Point<3> &vertex : mesh.vertices)
+    {
+      for (unsigned int d = 0; d < 3; ++d)
+        vertex[d] *= width[d];
+      vertex = turn.apply(vertex);
+    }
+    const auto box =
+      described<BodyDescription>(
+        {"Kind=surface",
+         "Surface/File=" + write("a.stl", mesh, write_binary_stl)})
+        .unturned_box();
+    EXPECT_NEAR(std::min(box.side_length(0), box.side_length(1)), 0.3, 0.01)
+      << degrees;
+    EXPECT_NEAR(box.side_length(2), 1.8, 0.02) << degrees;
   }
 }
 

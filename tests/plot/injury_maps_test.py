@@ -20,7 +20,7 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.dirname(
 from plot.figures import blast_maps, injury_maps, style  # noqa: E402
 from plot.readers import planes  # noqa: E402
 from plot.readers.scene import Scene  # noqa: E402
-from plot.report import blast_sections  # noqa: E402
+from plot.report import blast_sections, injury_table  # noqa: E402
 
 # 5 by 3 gauges, 0.5 m apart: measures fall along x; the wave is not simple at
 # the first, and has not reached the last.
@@ -89,6 +89,27 @@ class InjuryMapsTest(unittest.TestCase):
         self.assertIn("people would die on at least 1.00 m² (it continues beyond "
                       "the plane, error unknown: the coarser run knows other "
                       "places, unknown", told())
+
+    def test_map_beside_a_verdict_by_the_skin(self):
+        """Both are told where the verdict has another load than the map."""
+        tiny_scene.write_all(self.folder)
+        self.write(fields(), os.path.join(self.folder, "blast"))
+        scene = Scene(self.folder)
+        plane = next(iter(scene.gauge_planes().values()))["impulse"]
+        centre = np.array([0. if axis in plane.axes else plane.place
+                           for axis in "xyz"])
+        for basis, told in (("skin", ", 1.00\u00a0m, deaths by lung injury in the map "
+                             "are 59\u00a0% to 97\u00a0%: of the wave in the open."),
+                            ("probe", None)):
+            with unittest.mock.patch.object(
+                    injury_table, "lungs_by", lambda _: basis), \
+                    unittest.mock.patch.object(
+                        Scene, "charge_place", lambda _: centre), \
+                    unittest.mock.patch.dict(scene.facts, {
+                        "distance": 1., "tables": {}}):
+                page = "".join(map(str, blast_sections.people(scene)))
+            self.assertEqual("The verdict on the person is by" in page, bool(told))
+            self.assertIn(told or "", page)
 
     def test_areas_within_the_plane(self):
         """What ends before each side that is no plane of symmetry."""

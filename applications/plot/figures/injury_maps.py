@@ -92,6 +92,23 @@ def _area_where(plane, chosen):
     return plane.copies * float(y @ np.asarray(chosen, float) @ x)
 
 
+def at_distance(maps, name, charge, distance):
+    """Least and largest known value of a quantity at the gauges that are within
+    half their spacing of a distance from the charge; None where there is none."""
+    plane = maps[name]
+    axes = [np.linspace(low, high, points) for low, high, points in zip(
+        plane.lower, plane.upper, plane.values.shape[::-1])]
+    spacing = max((axis[1] - axis[0] for axis in axes if len(axis) > 1),
+                  default=0.)
+    places = dict(zip(plane.axes, np.meshgrid(*axes)))
+    normal, = set("xyz") - set(plane.axes)
+    away = np.sqrt(sum((places.get(axis, plane.place) - charge["xyz".index(axis)])
+                       ** 2 for axis in [*plane.axes, normal]))
+    values = plane.values[_known(maps, name)
+                          & (np.abs(away - distance) <= 0.5 * spacing)]
+    return (values.min(), values.max()) if len(values) else None
+
+
 def _above(maps, name, level):
     """Gauges at which a quantity is known to exceed a level."""
     return _known(maps, name) & (np.nan_to_num(maps[name].values) > level)

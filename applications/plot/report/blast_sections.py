@@ -10,8 +10,8 @@ from plot.readers import files, loads
 from plot.analysis import person, signals, wave_times
 from plot.figures import (body_loads, body_views, injury_maps, plane_cuts,
                           style)
-from plot.report import (error_estimate, injury_thresholds, least_phases, page,
-                         reflections, unfinished)
+from plot.report import (error_estimate, injury_table, injury_thresholds,
+                         least_phases, page, reflections, unfinished)
 from plot.report.injury_thresholds import KNOWN
 
 # Maps of people: the measure with thresholds, its name, and the level whose
@@ -116,8 +116,28 @@ def people(scene):
             + "the chest wall velocity: "
             f"{KNOWN['chest_wall_velocity_air'].limits}."
             + _limits_of_velocity(maps) + _step_of_stages(scene)
-            + reflections.note_on_maps(scene)))
+            + reflections.note_on_maps(scene) + _beside_verdict(scene, maps)))
     return parts
+
+
+def _beside_verdict(scene, maps):
+    """What the map has as far from the charge as the trunk of a person whose
+    lungs are judged by the load on the skin."""
+    trunk = (scene.facts.get("tables") or {}).get("trunk") or {}
+    distance = trunk.get("distance") or scene.fact("distance")
+    charge = scene.charge_place()
+    found = None if distance is None or charge is None \
+        or injury_table.lungs_by(scene) != "skin" else \
+        injury_maps.at_distance(maps, "lung_lethality", charge, distance)
+    if found is None:
+        return ""
+    least, largest = map(page.chance, found)
+    return (" As far from the charge as the "
+            f"{'trunk' if trunk else 'skin'}, {page.quantity(distance, 'm')}, "
+            "deaths by lung injury in the map are "
+            + (least if least == largest else f"{least} to {largest}")
+            + ": of the wave in the open. The verdict on the person is by the "
+            "load on the skin.")
 
 
 def _of_gauges(maps):

@@ -183,7 +183,7 @@ def section(scene, judged):
         ", and no body: your own hexahedra have no coarser mesh, and errors of "
         "what happens in the body are unknown" if scene.has_own_mesh() else
         "" if scene.asks_for_loads() else " and elements of 5/3 of the size")
-    skins = [run.blast.found("checks", "loads_skin_area")
+    skins = [run.blast.found("checks", "loads_skin_projections")
              for run in (scene.coarser, scene)]
     if all(skins) and skins[0] < WHOLE_SKIN * skins[1]:
         coarser += (f". Its gas has {page.percent(skins[0] / skins[1])} of the "

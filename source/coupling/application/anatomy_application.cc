@@ -223,8 +223,7 @@ namespace coupling
         const double area = coarsening * coarsening;
         const double largest = count_hexahedra(grid, 0).cells *
                                std::ldexp(1., -3 * int(parameters_.levels));
-        size.cells =
-          (size.cells - largest) * area + largest * area * coarsening;
+        size.cells = area * (size.cells + largest * (coarsening - 1.));
         size.facets *= area;
         return size;
       }
@@ -372,6 +371,7 @@ namespace coupling
           {"volume", body.quality.volume},
           {"mass", body.mass},
           {"surface_area", report.surface_area},
+          {"surface_projections", report.surface_projections},
           {"center_of_gravity",
            {report.center_of_gravity[0],
             report.center_of_gravity[1],

@@ -139,8 +139,12 @@ namespace coupling
     report.lower_corner = box.get_boundary_points().first;
     report.upper_corner = box.get_boundary_points().second;
     for (const HexMesh::Facet &facet : mesh.boundary)
-      report.surface_area +=
-        mesh.area_vector(facet) * surface.normal(mesh.center(facet));
+    {
+      const auto area = mesh.area_vector(facet);
+      report.surface_area += area * surface.normal(mesh.center(facet));
+      for (unsigned int d = 0; d < 3; ++d)
+        report.surface_projections += std::abs(area[d]);
+    }
     report.checks = check_organs(mesh, references);
     return report;
   }

@@ -6,6 +6,7 @@
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/coupling/application/model_bias.h>
 #include <contrecoup/coupling/scene/scene_layout.h>
+#include <contrecoup/geometry/shape/composed_shapes.h>
 #include <contrecoup/numerics/injury/wave_reflection.h>
 
 #include <boost/math/constants/constants.hpp>
@@ -58,7 +59,7 @@ SceneLayout::SceneLayout(const SceneParameters &scene,
                          const Shape &surface,
                          const std::optional<dealii::BoundingBox<3>> &unturned,
                          const OwnGrid &own)
-  : body(surface.bounding_box())
+  : body(own_box(surface))
   , unturned(unturned.value_or(body))
   , own_(own)
 {

@@ -164,7 +164,7 @@ namespace
   {
     return {"skin",
             "cells of " + brief(1e3 * layout.cell_size()) + " mm at the skin",
-            "part of the body's skin that the gas has",
+            "part of the body's skin, that the gas has",
             "-",
             part,
             least_skin,
@@ -270,8 +270,8 @@ namespace
           item.quantity += ", not measured, since " + gap;
       }
       else if (item.name == "skin")
-        item.measure(stage_check(folder + "/blast", "loads_skin_area") /
-                     skin_area(folder + "/anatomy"));
+        item.measure(stage_check(folder + "/blast", "loads_skin_projections") /
+                     skin_projections(folder + "/anatomy"));
       else if ((item.name.rfind("afterburn_", 0) == 0 &&
                 scene.afterburn > 0.) ||
                item.name.rfind("model_bias_", 0) == 0)

@@ -131,17 +131,29 @@ double stage_result(const std::string &folder, const std::string &name)
 }
 
 
+std::map<std::string, double> stage_results(const std::string &folder)
+{
+  std::map<std::string, double> values;
+  const io::Json results = group_in(folder, "results");
+  for (const auto &[name, result] : results.items())
+    if (result.is_object() && result.contains("value") &&
+        result["value"].is_number())
+      values[name] = result["value"].get<double>();
+  return values;
+}
+
+
 double stage_check(const std::string &folder, const std::string &name)
 {
   return value_in(group_in(folder, "checks"), name);
 }
 
 
-double skin_area(const std::string &folder)
+double skin_projections(const std::string &folder)
 {
   const io::Json summary =
     io::read_json(folder + "/summary.json", io::formats::summary);
-  const std::string name = "surface_area";
+  const std::string name = "surface_projections";
   return summary.is_object() && summary.contains(name) &&
              summary[name].is_number()
            ? summary[name].get<double>()

@@ -4,6 +4,7 @@
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/coupling/application/model_bias.h>
 #include <contrecoup/coupling/scene/coarser_run.h>
+#include <contrecoup/coupling/scene/stage_results.h>
 #include <contrecoup/coupling/scene/table_comparison.h>
 #include <contrecoup/io/file/checked_file.h>
 #include <contrecoup/io/file/file_format.h>
@@ -40,21 +41,6 @@ namespace
   }
 
 
-  /// A result of a finished blast; NaN: none.
-  double result_of(const std::string &folder, const std::string &name)
-  {
-    const io::Json summary =
-      io::read_json(folder + "/summary.json", io::formats::summary);
-    if (!summary.is_object() || !summary.contains("results"))
-      return unknown;
-    const io::Json result = summary["results"].value(name, io::Json());
-    return result.is_object() && result.contains("value") &&
-               result["value"].is_number()
-             ? result["value"].get<double>()
-             : unknown;
-  }
-
-
   /// An injury at the first probe; NaN: none.
   double injury_of(const std::string &folder, const std::string &measure)
   {
@@ -75,6 +61,39 @@ namespace
     const double error = std::abs(coarse / fine - 1.) /
                          (std::pow(CoarserRun::cell_ratio, order) - 1.);
     return error < least ? least : error;
+  }
+
+
+  /// Error of a result of a gauge on the skin by both runs, at least the median
+  /// over all gauges; NaN where a run ends before the phase that an impulse
+  /// needs. @param folder of the scene
+  double error_on_skin(const std::string &folder,
+                       const std::string &name_of_gauge,
+                       const std::string &result)
+  {
+    const auto fine = stage_results(folder + "/blast"),
+               coarse = stage_results(folder + "/coarser_blast");
+    std::vector<double> errors;
+    double own = unknown;
+    for (const auto &[name, value] : fine)
+    {
+      const std::size_t end =
+        name.size() - std::min(name.size(), result.size());
+      const std::string gauge = name.substr(0, end);
+      if (gauge.rfind("loads_", 0) != 0 || gauge + result != name ||
+          coarse.count(name) == 0 ||
+          (result == "impulse" &&
+           fine.count(gauge + "cut_off") + coarse.count(gauge + "cut_off") > 0))
+        continue;
+      errors.push_back(error_of(value, coarse.at(name)));
+      if (gauge == name_of_gauge)
+        own = errors.back();
+    }
+    std::sort(errors.begin(), errors.end());
+    const std::size_t n = errors.size();
+    // A NaN stays one.
+    return n == 0 ? own
+                  : std::max(own, 0.5 * (errors[(n - 1) / 2] + errors[n / 2]));
   }
 
 
@@ -120,10 +139,11 @@ namespace
   {
     if (is_of_injury(name))
       return injury_of(folder, name);
-    return result_of(folder,
-                     "probe_1_" + (name == "peak_overpressure" ? "first_" + name
-                                   : name == largest_peak ? "peak_overpressure"
-                                                          : name));
+    return stage_result(folder,
+                        "probe_1_" +
+                          (name == "peak_overpressure" ? "first_" + name
+                           : name == largest_peak      ? "peak_overpressure"
+                                                       : name));
   }
 
 
@@ -131,9 +151,9 @@ namespace
   /// that is larger than that comes in its time.
   bool comes_later(const Reflection &reflection, const std::string &folder)
   {
-    const double delay = result_of(folder, "probe_1_later_peak_time") -
+    const double delay = stage_result(folder, "probe_1_later_peak_time") -
                          value_of(folder, "arrival");
-    return result_of(folder, "probe_1_later_peak_overpressure") >
+    return stage_result(folder, "probe_1_later_peak_overpressure") >
              value_of(folder, "peak_overpressure") &&
            delay >= reflection.least_delay && delay <= reflection.largest_delay;
   }
@@ -144,7 +164,7 @@ namespace
   bool is_beside_body(const TableAnswer &answer, const std::string &folder)
   {
     const double reference =
-      result_of(folder, "probe_1_reference_peak_overpressure");
+      stage_result(folder, "probe_1_reference_peak_overpressure");
     return std::abs(reference / answer.in_the_open.overpressure - 1.) < 1e-3;
   }
 
@@ -318,7 +338,7 @@ compare_with_tables(const SceneParameters &scene,
             merges || value_of(fine, largest_peak) >
                         value_of(fine, "peak_overpressure"),
             false);
-  const bool is_cut = result_of(fine, "probe_1_cut_off") > 0.;
+  const bool is_cut = stage_result(fine, "probe_1_cut_off") > 0.;
   std::vector<ComparedQuantity> list;
   const auto add = [&](const std::string &name,
                        const std::string &unit,
@@ -380,22 +400,23 @@ compare_skin_with_tables(const SceneParameters &scene,
                        const double tables,
                        const bool may_exceed,
                        const bool may_be_less) {
-    const double run = result_of(folder + "/blast", name + result);
+    const double run = stage_result(folder + "/blast", name + result);
     if (!std::isfinite(run) || !std::isfinite(tables))
       return;
-    list.push_back(compare(
-      quantity,
-      unit,
-      {run,
-       has_coarser_run ? result_of(folder + "/coarser_blast", name + result)
-                       : unknown},
-      {tables, error_of_tables(scene)},
-      unknown,
-      may_exceed,
-      may_be_less));
+    const double least_error =
+      has_coarser_run ? error_on_skin(folder, name, result) : unknown;
+    const double coarse =
+      stage_result(folder + "/coarser_blast", name + result);
+    list.push_back(compare(quantity,
+                           unit,
+                           {run, std::isfinite(least_error) ? coarse : unknown},
+                           {tables, error_of_tables(scene)},
+                           least_error,
+                           may_exceed,
+                           may_be_less));
     list.back().place = gauge.name;
     list.back().is_cut = result == "impulse" &&
-                         result_of(folder + "/blast", name + "cut_off") > 0.;
+                         stage_result(folder + "/blast", name + "cut_off") > 0.;
   };
   const bool merges =
     has_merged(reflections_at(scene, layout, sides, gauge.place));

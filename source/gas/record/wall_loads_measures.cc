@@ -13,15 +13,17 @@ namespace contrecoup::gas
 {
 namespace
 {
-  /// Area of the whole body's skin.
+  /// Projections of the whole body's skin on the three planes of coordinates,
+  /// summed: those of stairs are those of the surface that the stairs follow.
   /// @param geometry of the facets, see WallFacets::geometry()
   /// @param to_whole see factors_to_whole_body()
-  double skin_area(const std::vector<double> &geometry,
-                   const dealii::Tensor<1, 3> &to_whole)
+  double skin_projections(const std::vector<double> &geometry,
+                          const dealii::Tensor<1, 3> &to_whole)
   {
     double sum = 0.;
     for (std::size_t i = 3; i < geometry.size(); i += WallFacets<3>::n_geometry)
-      sum += std::hypot(geometry[i], geometry[i + 1], geometry[i + 2]);
+      for (unsigned int d = 0; d < 3; ++d)
+        sum += std::abs(geometry[i + d]);
     // Three planes of symmetry leave no factor of a direction.
     const double factor = std::max({to_whole[0], to_whole[1], to_whole[2]});
     return (factor > 0. ? factor : 8.) * sum;
@@ -99,8 +101,9 @@ std::vector<NamedValue> WallLoads<dim>::check_values() const
      relative(totals_.largest_difference, totals_.largest_force)},
     {"loads_sampled_peak_loss", "-", totals_.peak_loss}};
   if (dim == 3)
-    values.push_back(
-      {"loads_skin_area", "m^2", skin_area(facets_.geometry(), to_whole_)});
+    values.push_back({"loads_skin_projections",
+                      "m^2",
+                      skin_projections(facets_.geometry(), to_whole_)});
   return values;
 }
 

@@ -65,6 +65,51 @@ namespace
         references.push_back({name, {name}, volume, 0.1, "the image"});
     return references;
   }
+
+  double shortest_side(const dealii::BoundingBox<3> &box)
+  {
+    return std::min(
+      {box.side_length(0), box.side_length(1), box.side_length(2)});
+  }
+
+  /// The own_box() of a shape as its file has it, or, where that is narrower by
+  /// more than a tenth, of the shape turned about one axis.
+  dealii::BoundingBox<3> narrowest_box(const ShapePointer &shape)
+  {
+    constexpr double quarter = 90., step = 15., finest = 1., least_gain = 0.9,
+                     degree = dealii::numbers::PI / 180.;
+    const auto turned_box = [&](const unsigned int axis, const double angle) {
+      return own_box(PlacedShape(
+        shape,
+        Placement(
+          1., angle * degree * dealii::Point<3>::unit_vector(axis), {})));
+    };
+    const dealii::BoundingBox<3> as_given = own_box(*shape);
+    dealii::BoundingBox<3> narrowest = as_given;
+    unsigned int axis = 0;
+    double best = 0.;
+    const auto consider = [&](const unsigned int about, const double angle) {
+      const auto box = turned_box(about, angle);
+      if (shortest_side(box) < shortest_side(narrowest))
+      {
+        narrowest = box;
+        axis = about;
+        best = angle;
+      }
+    };
+    for (unsigned int d = 0; d < 3; ++d)
+      for (double angle = step; angle < quarter; angle += step)
+        consider(d, angle);
+    for (double change = 0.5 * step; change > finest; change *= 0.5)
+    {
+      const double middle = best;
+      consider(axis, middle - change);
+      consider(axis, middle + change);
+    }
+    return shortest_side(narrowest) < least_gain * shortest_side(as_given)
+             ? narrowest
+             : as_given;
+  }
 } // namespace
 
 void BodyDescription::declare_parameters(dealii::ParameterHandler &prm)
@@ -228,7 +273,8 @@ BodyPointer BodyDescription::create() const
 dealii::BoundingBox<3> BodyDescription::unturned_box() const
 {
   return Placement(placement_.scale(), {}, {})
-    .apply(own_box(*unplaced()->surface()));
+    .apply(kind_ == "phantom" ? own_box(*unplaced()->surface())
+                              : narrowest_box(unplaced()->surface()));
 }
 
 std::vector<OrganReference> BodyDescription::references() const

@@ -149,12 +149,13 @@ double Offset::reach(const Tensor<1, 3> &direction) const
 
 BoundingBox<3> own_box(const Shape &shape)
 {
-  Point<3> lower, upper;
+  // reach() is inexact, bounding_box() may be wide: the narrower of both.
+  auto [lower, upper] = shape.bounding_box().get_boundary_points();
   for (unsigned int d = 0; d < 3; ++d)
   {
     const Tensor<1, 3> axis = Point<3>::unit_vector(d);
-    lower[d] = -shape.reach(-axis);
-    upper[d] = shape.reach(axis);
+    lower[d] = std::max(lower[d], -shape.reach(-axis));
+    upper[d] = std::min(upper[d], shape.reach(axis));
   }
   return BoundingBox<3>({lower, upper});
 }

@@ -38,6 +38,8 @@ namespace coupling
     dealii::Point<3> upper_corner;
     /// Projected area of the facets, see make_report() [m^2]
     double surface_area = 0.;
+    /// Of the facets on the three planes of coordinates, summed [m^2]
+    double surface_projections = 0.;
 
     const ReportRow &body() const
     {

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <map>
 #include <string>
 
 namespace contrecoup::coupling
@@ -12,11 +13,15 @@ namespace contrecoup::coupling
 /// The value of that name among the results in a stage's summary, in SI units.
 double stage_result(const std::string &folder, const std::string &name);
 
+/// All results in a stage's summary that have values, by their names.
+std::map<std::string, double> stage_results(const std::string &folder);
+
 /// The same among its checks.
 double stage_check(const std::string &folder, const std::string &name);
 
-/// Area of the skin of the body that anatomy has meshed [m^2].
-double skin_area(const std::string &folder);
+/// Projections of the skin of the body that anatomy has meshed on the three
+/// planes of coordinates, summed [m^2].
+double skin_projections(const std::string &folder);
 
 /// Largest overpressure at the gauges of the trunk [Pa].
 double largest_trunk_peak(const std::string &folder);

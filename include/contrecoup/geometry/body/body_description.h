@@ -38,7 +38,8 @@ public:
   BodyPointer create() const;
 
   /// Box of the body after scaling, before rotation and shift [m]: its sides do
-  /// not depend on how the body is turned.
+  /// not depend on how the body is turned, nor on how its file has it turned
+  /// about one axis.
   dealii::BoundingBox<3> unturned_box() const;
 
   /// Volumes that organs should have: those of the voxels of an image, or from
