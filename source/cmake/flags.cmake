@@ -63,6 +63,13 @@ else()
     list(APPEND CONTRECOUP_KERNEL_OPTIONS -funroll-loops -funroll-all-loops)
   endif()
 endif()
+set(CONTRECOUP_COLD_OPTIONS -O1)
+# gcc 14 takes the precompiled header, made with -O2, with this flag alone.
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND
+    CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 13 AND
+    CMAKE_SYSTEM_PROCESSOR STREQUAL "x86_64")
+  list(APPEND CONTRECOUP_COLD_OPTIONS -mvzeroupper)
+endif()
 set(CONTRECOUP_COMPILE_OPTIONS
   ${_common}
   $<$<CONFIG:Release>:${_release} -fno-math-errno -fno-trapping-math

@@ -24,7 +24,7 @@ function(contrecoup_add_layer name)
     SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}
     UNITY_BUILD ${CONTRECOUP_UNITY} UNITY_BUILD_MODE GROUP)
   if(ARG_COLD)
-    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:${CONTRECOUP_COLD_OPTIONS}>)
   endif()
   # clang links the sanitizers' run-time to programs alone.
   if(NOT CONTRECOUP_SANITIZE)

@@ -38,20 +38,13 @@ suppressions=${PROJECT_SOURCE_DIR}/tests/sanitizer_suppressions.txt"
   set(CONTRECOUP_TIMEOUT_FACTOR 10)
 endif()
 
-# gcc 14 takes the precompiled header, made with -O3, with this flag alone.
-if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND
-    CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 13 AND
-    CMAKE_SYSTEM_PROCESSOR STREQUAL "x86_64")
-  set(CONTRECOUP_LIKE_PRECOMPILED -mvzeroupper)
-endif()
-
 # contrecoup_setup_test_target(<target>): contrecoup_setup_target, but tests
 # compile in a third less time: the code that they measure is in the layers,
 # optimised there.
 function(contrecoup_setup_test_target target)
   contrecoup_setup_target(${target})
   target_compile_options(${target} PRIVATE
-    $<$<CONFIG:Release>:-O1 ${CONTRECOUP_LIKE_PRECOMPILED}>)
+    $<$<CONFIG:Release>:${CONTRECOUP_COLD_OPTIONS}>)
 endfunction()
 
 # The main function of all unit tests; compiled once.

@@ -4,9 +4,9 @@
 #include <contrecoup/gas/adaptation/adaptation.h>
 #include <contrecoup/gas/adaptation/jump_sensor.h>
 #include <contrecoup/gas/adaptation/line_adaptation.h>
+#include <contrecoup/geometry/mesh/ghost_cells.h>
 
 #include <deal.II/base/mpi.h>
-#include <deal.II/grid/grid_tools.h>
 
 #include <algorithm>
 #include <numeric>
@@ -187,9 +187,7 @@ void Adaptation<dim>::spread(std::vector<FaceMarks> &marks) const
     const auto unpack = [&](const ActiveIterator &cell, const FaceMarks &mark) {
       ghost_marks[cell->id()] = mark;
     };
-    dealii::GridTools::exchange_cell_data_to_ghosts<FaceMarks,
-                                                    dealii::Triangulation<dim>>(
-      mesh_.triangulation(), pack, unpack);
+    exchange_with_ghosts<dim, FaceMarks>(mesh_.triangulation(), pack, unpack);
   }
   const auto marks_of = [&](const CellIterator &cell) {
     return cell->is_locally_owned() ? marks[mesh_.leaf_of(cell)]

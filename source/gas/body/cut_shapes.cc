@@ -3,8 +3,7 @@
 
 #include <contrecoup/gas/body/cut_shapes.h>
 #include <contrecoup/gas/octree/leaf_box.h>
-
-#include <deal.II/grid/grid_tools.h>
+#include <contrecoup/geometry/mesh/ghost_cells.h>
 
 #include <algorithm>
 #include <optional>
@@ -167,9 +166,7 @@ void CutShapes<dim>::update_ghosts()
     shape.fraction = values.back();
     update_fractions(leaf);
   };
-  dealii::GridTools::exchange_cell_data_to_ghosts<Values,
-                                                  dealii::Triangulation<dim>>(
-    mesh_->triangulation(), pack, unpack);
+  exchange_with_ghosts<dim, Values>(mesh_->triangulation(), pack, unpack);
 }
 
 

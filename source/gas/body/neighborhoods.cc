@@ -3,8 +3,7 @@
 
 #include <contrecoup/gas/body/neighborhoods.h>
 #include <contrecoup/gas/octree/leaf_box.h>
-
-#include <deal.II/grid/grid_tools.h>
+#include <contrecoup/geometry/mesh/ghost_cells.h>
 
 #include <algorithm>
 #include <cmath>
@@ -337,8 +336,7 @@ void Neighborhoods<dim>::share(std::map<unsigned int, Codes> &codes) const
     if (shapes_.mesh().leaf_of(cell) != no_leaf)
       received[shapes_.mesh().leaf_of(cell)] = values;
   };
-  dealii::GridTools::exchange_cell_data_to_ghosts<Codes,
-                                                  dealii::Triangulation<dim>>(
+  exchange_with_ghosts<dim, Codes>(
     shapes_.mesh().triangulation(), pack, unpack);
   codes.insert(received.begin(), received.end());
 }

@@ -4,9 +4,9 @@
 #include <contrecoup/base/deal_ii/releases.h>
 #include <contrecoup/gas/octree/hanging_vertices.h>
 #include <contrecoup/gas/octree/leaf_face.h>
+#include <contrecoup/geometry/mesh/ghost_cells.h>
 
 #include <deal.II/base/mpi.h>
-#include <deal.II/grid/grid_tools.h>
 
 #include <array>
 #include <optional>
@@ -93,9 +93,7 @@ void HangingVertices<dim>::exchange_vertices()
     for (const unsigned int v : cell->vertex_indices())
       cell->vertex(v) = vertices[v];
   };
-  dealii::GridTools::exchange_cell_data_to_ghosts<Vertices,
-                                                  dealii::Triangulation<dim>>(
-    triangulation_, pack, unpack);
+  exchange_with_ghosts<dim, Vertices>(triangulation_, pack, unpack);
 }
 
 

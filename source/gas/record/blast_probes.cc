@@ -5,10 +5,10 @@
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/gas/record/blast_probes.h>
 
-#include <deal.II/grid/grid_tools.h>
-
+#include <algorithm>
 #include <cmath>
 #include <istream>
+#include <limits>
 #include <ostream>
 
 namespace contrecoup::gas
@@ -102,8 +102,10 @@ template <int dim>
 void BlastProbes<dim>::expect_smearing(const GasSnapshot<dim> &gas)
 {
   constexpr double diagonals = 1.5, sound_speed = 330.; // [m/s]
-  const double distance = diagonals * dealii::GridTools::minimal_cell_diameter(
-                                        gas.mesh.triangulation());
+  double distance = std::numeric_limits<double>::max();
+  for (unsigned int leaf = 0; leaf < gas.mesh.n_owned(); ++leaf)
+    distance = std::min(distance, diagonals * gas.mesh.cell(leaf)->diameter());
+  distance = dealii::Utilities::MPI::min(distance, gas.mesh.communicator());
   for (std::size_t i = 0; i < exposures_.size(); ++i)
     if (const double peak = records_[i].peak; peak > 0.)
       // Until the front has passed these cells (Rankine-Hugoniot, gamma 1.4).

@@ -189,7 +189,7 @@ namespace
     return {first, n};
   }
 
-  using Cells = std::vector<dealii::CellData<3>>;
+  using BallCells = std::vector<dealii::CellData<3>>;
 
   /// Corner number after cyclic rotation of the cell's directions.
   unsigned int turned(const unsigned int corner, const unsigned int places)
@@ -197,7 +197,7 @@ namespace
     return (corner << places | corner >> (3 - places)) & 7U;
   }
 
-  void add_cube(const LayeredBall &ball, Nodes &nodes, Cells &cells)
+  void add_cube(const LayeredBall &ball, Nodes &nodes, BallCells &cells)
   {
     const auto x = range(ball, 0), y = range(ball, 1), z = range(ball, 2);
     const unsigned int places = ball.wedge_axis < 3 ? 2 - ball.wedge_axis : 0;
@@ -220,7 +220,7 @@ namespace
                  const unsigned int axis,
                  const bool is_upper,
                  Nodes &nodes,
-                 Cells &cells)
+                 BallCells &cells)
   {
     const unsigned int n = ball.cells_along_cube;
     // Rotate directions so that cells are not inverted.
@@ -302,7 +302,7 @@ void make_layered_ball(const LayeredBall &ball, dealii::Triangulation<3> &mesh)
 {
   check(ball);
   Nodes nodes(ball);
-  Cells cells;
+  BallCells cells;
   add_cube(ball, nodes, cells);
   for (unsigned int axis = 0; axis < 3; ++axis)
   {

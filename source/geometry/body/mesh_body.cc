@@ -14,6 +14,8 @@
 #include <contrecoup/geometry/mesh/triangulation_hexes.h>
 #include <contrecoup/geometry/shape/triangulated_surface.h>
 
+#include <deal.II/numerics/rtree.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -104,12 +106,20 @@ namespace
 } // namespace
 
 
+struct MeshBody::Search
+{
+  using Box = std::pair<dealii::BoundingBox<3>, std::uint32_t>;
+
+  dealii::RTree<Box> boxes; ///< of the cells
+};
+
+
 MeshBody::MeshBody(HexMesh mesh)
   : mesh_(std::make_shared<const HexMesh>(std::move(mesh)))
   , surface_(skin_of(*mesh_))
 {
   parts_ = mesh_->parts;
-  std::vector<Box> boxes;
+  std::vector<Search::Box> boxes;
   for (std::uint32_t cell = 0; cell < mesh_->cells.size(); ++cell)
   {
     const HexCorners corners = corners_of(*mesh_, cell);
@@ -117,7 +127,7 @@ MeshBody::MeshBody(HexMesh mesh)
                          std::vector<Point<3>>(corners.begin(), corners.end())),
                        cell);
   }
-  boxes_ = dealii::pack_rtree(boxes);
+  search_ = std::make_shared<Search>(Search{dealii::pack_rtree(boxes)});
 }
 
 BodyPointer MeshBody::placed(const Placement &placement) const
@@ -153,9 +163,9 @@ bool MeshBody::contains(const std::uint32_t cell, const Point<3> &point) const
 
 unsigned char MeshBody::part_at(const Point<3> &point) const
 {
-  std::vector<Box> near;
-  boxes_.query(boost::geometry::index::intersects(point),
-               std::back_inserter(near));
+  std::vector<Search::Box> near;
+  search_->boxes.query(boost::geometry::index::intersects(point),
+                       std::back_inserter(near));
   std::uint32_t first = mesh_->cells.size();
   for (const auto &[box, cell] : near)
     if (cell < first && contains(cell, point))

@@ -2,9 +2,10 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/geometry/mesh/place_search.h>
 #include <contrecoup/geometry/mesh/triangulation_hexes.h>
 
-#include <deal.II/numerics/rtree.h>
+#include <deal.II/grid/grid_tools.h>
 
 namespace contrecoup
 {
@@ -129,16 +130,21 @@ HexMesh to_hex_mesh(const Mesh &triangulation,
 }
 
 
+void distort(Mesh &mesh, const double part)
+{
+  dealii::GridTools::distort_random(part, mesh, true);
+}
+
+
 std::optional<dealii::Point<3>> find_hanging_vertex(const Mesh &mesh)
 {
   const auto vertices = boundary_vertices(mesh);
-  const auto tree = dealii::pack_rtree(vertices);
+  const PlaceSearch search(vertices);
   const auto is_vertex = [&](const dealii::Point<3> &middle,
                              const double size) {
-    std::vector<dealii::Point<3>> nearest;
-    tree.query(boost::geometry::index::nearest(middle, 1),
-               std::back_inserter(nearest));
-    return !nearest.empty() && nearest[0].distance(middle) < 1e-6 * size;
+    const auto nearest = search.nearest(middle, 1);
+    return !nearest.empty() &&
+           vertices[nearest[0]].distance(middle) < 1e-6 * size;
   };
   for (const auto &face : mesh.active_face_iterators())
     if (face->at_boundary())

@@ -4,8 +4,13 @@
 #include <contrecoup/geometry/shape/line_of_sight.h>
 
 #include <boost/geometry.hpp>
+#include <boost/geometry/geometries/box.hpp>
+#include <boost/geometry/geometries/point.hpp>
+#include <boost/geometry/index/rtree.hpp>
 
 #include <algorithm>
+#include <cstdint>
+#include <utility>
 
 namespace contrecoup
 {
@@ -38,10 +43,21 @@ namespace
 } // namespace
 
 
+struct LineOfSight::Search
+{
+  using Corner = bg::model::point<double, 3, bg::cs::cartesian>;
+  using Box = bg::model::box<Corner>;
+  using Entry = std::pair<Box, std::uint32_t>;
+
+  bg::index::rtree<Entry, bg::index::rstar<16>> tree;
+};
+
+
 LineOfSight::LineOfSight(std::vector<Triangle> triangles)
   : triangles_(std::move(triangles))
 {
-  std::vector<Entry> entries;
+  using Corner = Search::Corner;
+  std::vector<Search::Entry> entries;
   for (const Triangle &triangle : triangles_)
   {
     Point<3> low = triangle[0], high = triangle[0];
@@ -51,22 +67,24 @@ LineOfSight::LineOfSight(std::vector<Triangle> triangles)
         low[d] = std::min(low[d], corner[d]);
         high[d] = std::max(high[d], corner[d]);
       }
-    entries.emplace_back(
-      Box(Corner(low[0], low[1], low[2]), Corner(high[0], high[1], high[2])),
-      static_cast<std::uint32_t>(entries.size()));
+    entries.emplace_back(Search::Box(Corner(low[0], low[1], low[2]),
+                                     Corner(high[0], high[1], high[2])),
+                         static_cast<std::uint32_t>(entries.size()));
   }
-  tree_ = decltype(tree_)(entries);
+  search_ = std::make_shared<Search>(Search{decltype(Search::tree)(entries)});
 }
 
 
 bool LineOfSight::is_blocked(const Point<3> &from, const Point<3> &to) const
 {
+  using Corner = Search::Corner;
+  const auto &tree = search_->tree;
   const bg::model::segment<Corner> segment(Corner(from[0], from[1], from[2]),
                                            Corner(to[0], to[1], to[2]));
   const Tensor<1, 3> way = to - from;
-  return std::any_of(tree_.qbegin(bg::index::intersects(segment)),
-                     tree_.qend(),
-                     [&](const Entry &entry) {
+  return std::any_of(tree.qbegin(bg::index::intersects(segment)),
+                     tree.qend(),
+                     [&](const Search::Entry &entry) {
                        return meets(from, way, triangles_[entry.second]);
                      });
 }

@@ -17,7 +17,6 @@
 #include <contrecoup/solid/body/mesh_description.h>
 
 #include <deal.II/grid/grid_generator.h>
-#include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/manifold_lib.h>
 #include <deal.II/grid/tria_description.h>
 
@@ -265,7 +264,7 @@ void MeshDescription::make_shape(Mesh &mesh) const
       mesh, elements_, lower_, upper_);
     refine(mesh);
     if (distortion_ > 0.)
-      dealii::GridTools::distort_random(distortion_, mesh, true);
+      distort(mesh, distortion_);
     return;
   }
   if (kind_ == "shell octant")

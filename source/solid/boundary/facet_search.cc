@@ -28,7 +28,7 @@ FacetSearch::FacetSearch(const io::LoadFile::Facets &facets, const double away)
   : facets_(facets)
   , away_(away)
   , places_(places_of(facets))
-  , tree_(dealii::pack_rtree_of_indices(places_))
+  , search_(places_)
 {}
 
 
@@ -40,9 +40,8 @@ std::size_t FacetSearch::find(const Point<3> &place,
   using Candidate = std::pair<double, std::size_t>;
   // Twice as many, to have all that are as near as the last candidate.
   std::vector<Candidate> near;
-  const auto query = boost::geometry::index::nearest(place, 2 * n_candidates);
-  for (auto found = tree_.qbegin(query); found != tree_.qend(); ++found)
-    near.emplace_back(place.distance(places_[*found]), *found);
+  for (const std::size_t found : search_.nearest(place, 2 * n_candidates))
+    near.emplace_back(place.distance(places_[found]), found);
   std::sort(near.begin(), near.end());
   const double farthest =
     near[std::min(n_candidates, near.size()) - 1].first + round_off;

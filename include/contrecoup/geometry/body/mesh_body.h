@@ -9,10 +9,9 @@
 #include <contrecoup/geometry/mesh/mesh_groups.h>
 
 #include <deal.II/base/parameter_handler.h>
-#include <deal.II/numerics/rtree.h>
 
+#include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace contrecoup
@@ -32,12 +31,12 @@ public:
   std::shared_ptr<const HexMesh> own_mesh() const override;
 
 private:
-  using Box = std::pair<dealii::BoundingBox<3>, std::uint32_t>;
+  struct Search;
 
   bool contains(std::uint32_t cell, const dealii::Point<3> &point) const;
 
   std::shared_ptr<const HexMesh> mesh_;
-  dealii::RTree<Box> boxes_; ///< of the cells
+  std::shared_ptr<const Search> search_; ///< for cells
   ShapePointer surface_;
 };
 

@@ -19,6 +19,9 @@ namespace contrecoup
 HexMesh to_hex_mesh(const dealii::Triangulation<3> &triangulation,
                     const std::vector<BodyPart> &parts);
 
+/// Moves the inner vertices randomly by a part of the shortest edge there.
+void distort(dealii::Triangulation<3> &triangulation, double part);
+
 /// A vertex in the middle of an edge or a face of the boundary: the file had
 /// hanging nodes, and cells on both sides of such a face count as boundary.
 std::optional<dealii::Point<3>>

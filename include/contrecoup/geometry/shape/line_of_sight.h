@@ -5,12 +5,8 @@
 
 #include <deal.II/base/point.h>
 
-#include <boost/geometry/geometries/box.hpp>
-#include <boost/geometry/geometries/point.hpp>
-#include <boost/geometry/index/rtree.hpp>
-
 #include <array>
-#include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace contrecoup
@@ -28,12 +24,9 @@ public:
                   const dealii::Point<3> &to) const;
 
 private:
-  using Corner =
-    boost::geometry::model::point<double, 3, boost::geometry::cs::cartesian>;
-  using Box = boost::geometry::model::box<Corner>;
-  using Entry = std::pair<Box, std::uint32_t>;
+  struct Search;
 
   std::vector<Triangle> triangles_;
-  boost::geometry::index::rtree<Entry, boost::geometry::index::rstar<16>> tree_;
+  std::shared_ptr<const Search> search_;
 };
 } // namespace contrecoup

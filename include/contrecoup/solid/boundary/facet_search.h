@@ -3,10 +3,10 @@
 
 #pragma once
 
+#include <contrecoup/geometry/mesh/place_search.h>
 #include <contrecoup/io/output/load_file.h>
 
 #include <deal.II/base/point.h>
-#include <deal.II/numerics/rtree.h>
 
 #include <cstddef>
 #include <vector>
@@ -20,9 +20,6 @@ public:
   /// @param facets must outlive this
   /// @param away by how much facets that face away count as farther [m]
   FacetSearch(const io::LoadFile::Facets &facets, double away);
-  // The tree refers to the places here.
-  FacetSearch(const FacetSearch &) = delete;
-  FacetSearch &operator=(const FacetSearch &) = delete;
 
   /// The nearest of the facets around @p place [m], of at least one, for an
   /// @p area vector there. The first of facets that are as near counts, so that
@@ -31,11 +28,9 @@ public:
                    const dealii::Tensor<1, 3> &area) const;
 
 private:
-  using Places = std::vector<dealii::Point<3>>;
-
   const io::LoadFile::Facets &facets_;
   double away_;
-  Places places_;
-  decltype(dealii::pack_rtree_of_indices(Places())) tree_;
+  std::vector<dealii::Point<3>> places_;
+  PlaceSearch search_;
 };
 } // namespace contrecoup::solid
