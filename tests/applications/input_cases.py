@@ -368,6 +368,11 @@ def accepted():
     yield ("a wall of the user", "scene",
            shipped(SCENE, near, entry("Blast/Boundaries/x low", "wall")),
            "side_x_low")
+    yield ("a wall nearer than a cell", "scene",
+           shipped(SCENE, near, entry("Blast/Boundaries/x low", "wall"),
+                   entry("Blast/Domain/Lower corner", "-0.16, 0, 0")),
+           "WARNING: side_x_low: distance of this side from the body is "
+           "estimated at 0.015 m, allowed is at least ")
     yield ("a level of a stage", "scene",
            shipped(SCENE, near, entry("Blast/Adaptation/Largest level", "1")),
            "changed: Blast/Adaptation/Largest level = 1, otherwise ")

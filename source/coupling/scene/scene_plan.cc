@@ -348,7 +348,8 @@ namespace
     return items;
   }
 
-  /// Item about a side of the domain that the user chose.
+  /// Item about a side of the domain that the user chose; between body and wall
+  /// the gas needs a cell.
   Assumption chosen_side(const ChosenSide &side, const SceneLayout &layout)
   {
     std::string name = "side " + side.name;
@@ -360,8 +361,8 @@ namespace
             side.is_high
               ? side.place(layout) - layout.body.upper_bound(side.direction)
               : layout.body.lower_bound(side.direction) - side.place(layout),
-            unknown,
-            false,
+            side.kind == "wall" ? layout.cell_size() : unknown,
+            side.kind == "wall",
             side.entry()};
   }
 
