@@ -10,10 +10,11 @@
 
 namespace contrecoup
 {
-/// Sends @p pack of each cell, unless it is empty, to the ranks that have the
-/// cell as a ghost, for @p unpack. It is
-/// dealii::GridTools::exchange_cell_data_to_ghosts(), whose header takes each
-/// source that reads it nine seconds to compile. Data: those in the source.
+/// Sends what @p pack gives for each cell, unless that is empty, to the ranks
+/// that have the cell as a ghost, where @p unpack takes it. This function calls
+/// dealii::GridTools::exchange_cell_data_to_ghosts(), whose header makes each
+/// source that reads it compile for nine seconds more.
+/// @tparam Data one of the types that ghost_cells.cc instantiates
 template <int dim, typename Data>
 void exchange_with_ghosts(
   const dealii::Triangulation<dim> &mesh,
